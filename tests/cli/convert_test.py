@@ -25,6 +25,30 @@ class Convert(Case):
         self.assertEqual((self.dir / 'e.vtu').read_bytes(), (self.dir / 'd.vtu').read_bytes())
         self.run_cover('check', SAMPLES / 'diode.poly', 'e.vtu')
 
+    def test_a_mesh_in_parts_comes_back(self):
+        plate = SAMPLES / 'plate.poly'
+        for order in '1', '2':
+            self.run_cover('mesh', plate, '--order', order, '--parts', '3', '-o', 'p.pvtu', '-q')
+            self.run_cover('mesh', plate, '--order', order, '-o', 'w.vtu', '-q')
+            self.run_cover('check', plate, 'p.pvtu')
+            for name in 'p.pvtu', 'w.vtu':
+                self.run_cover('convert', name, '--order', '1', '-o', name + '.vtu', '-q')
+            self.assertEqual((self.dir / 'p.pvtu.vtu').read_bytes(), (self.dir / 'w.vtu.vtu').read_bytes())
+        pieces = sorted((self.dir / 'p.parts').iterdir())
+        kept = pieces[1].read_bytes()
+        for array, what in ('GlobalNodeId', 'the numbers that vertices have'), ('GlobalCellId', 'the numbers that triangles'):
+            pieces[1].write_bytes(kept.replace(array.encode(), b'X' * len(array)))
+            self.assertIn(f'its pieces do not tell {what}', self.run_cover('check', plate, 'p.pvtu', code=5)[1])
+        pieces[1].write_bytes(kept)
+        text = (self.dir / 'p.pvtu').read_text()
+        self.write('p.pvtu', text.replace(pieces[1].name, pieces[0].name))
+        self.assertIn('two pieces are the file', self.run_cover('check', plate, 'p.pvtu', code=5)[1])
+        self.write('p.pvtu', re.sub('<Piece [^\n]*' + pieces[1].name + '"/>', '', text))
+        self.assertRegex(self.run_cover('check', plate, 'p.pvtu', code=5)[1], 'its pieces do not tell all (vertices|triangles)')
+        self.write('p.pvtu', text)
+        pieces[1].unlink()
+        self.assertIn(f"its piece 'p.parts/{pieces[1].name}' is not there", self.run_cover('check', plate, 'p.pvtu', code=5)[1])
+
     def compare_ways(self, sources, *options):
         """A mesh written in every format, and in every format again from what each source holds."""
         written = [f'd.{e}' for e in ('vtu', 'vtm', 'vtkhdf', 'vtk', 'msh', 'xdmf', 'mesh', 'inp', 'ele', 'obj', 'off',

@@ -12,8 +12,9 @@
 #include "base/faults/errors.hpp"
 #include "base/faults/out_of_memory.hpp"
 #include "io/read_mesh/formats/mesh_of_data_set.hpp"
+#include "io/read_mesh/formats/pieces/read_pvtu.hpp"
+#include "io/read_mesh/formats/pieces/read_vtm.hpp"
 #include "io/read_mesh/formats/read_vtkhdf_mesh.hpp"
-#include "io/read_mesh/formats/read_vtm.hpp"
 #include "io/read_mesh/mesh_formats.hpp"
 #include "io/text/text.hpp"
 #include "io/vtk_files/read_data_set.hpp"
@@ -46,6 +47,7 @@ struct Format {
 constexpr std::array kFormats{
     Format{".vtu", read_vtk},
     Format{".vtm", read_vtm_mesh},
+    Format{".pvtu", read_pvtu_mesh},
     Format{".vtk", read_vtk},
     Format{".vtkhdf", read_hdf},
     Format{".msh", read_text<parse_msh_mesh>},

@@ -17,8 +17,8 @@
 #include "geom/topology/bent_edges.hpp"
 #include "io/read_mesh/carried_arrays.hpp"
 #include "io/read_mesh/complete_mesh.hpp"
+#include "io/read_mesh/formats/pieces/read_vtm.hpp"
 #include "io/read_mesh/formats/read_vtkhdf_mesh.hpp"
-#include "io/read_mesh/formats/read_vtm.hpp"
 #include "io/text/text.hpp"
 
 namespace cover {

@@ -1,14 +1,12 @@
 // Pieces are gathered by the numbers that vertices have in the whole mesh.
 // Tested by tests/unit/io/read_mesh/read_output_test.cpp.
-#include "io/read_mesh/formats/read_vtm.hpp"
+#include "io/read_mesh/formats/pieces/read_vtm.hpp"
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <limits>
 #include <optional>
 #include <set>
-#include <system_error>
 #include <utility>
 
 #include <fmt/core.h>
@@ -17,6 +15,7 @@
 #include "base/faults/errors.hpp"
 #include "base/numbers.hpp"
 #include "io/read_mesh/complete_mesh.hpp"
+#include "io/read_mesh/formats/pieces/piece_files.hpp"
 #include "io/read_mesh/second_order.hpp"
 #include "io/text/array_names.hpp"
 #include "io/text/text.hpp"
@@ -26,8 +25,6 @@
 
 namespace cover {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// One block of a group: a grid and its name.
 struct Block {
@@ -39,7 +36,7 @@ struct Block {
 /// The files that a .vtm names, read: those of `<Block name="...">` and no deeper.
 class BlockFiles {
  public:
-  explicit BlockFiles(const std::string& path) : path_(path) {}
+  explicit BlockFiles(const std::string& path) : path_(path), files_(path) {}
 
   /// What stands behind the blocks; nothing in files of old versions.
   [[nodiscard]] const std::optional<XmlElement>& names() const { return names_; }
@@ -68,28 +65,14 @@ class BlockFiles {
   Status read_block(std::string_view group, const XmlElement& element) {
     const std::string_view file = element.value("file");
     if (file.empty()) return ok();  // a block without cells has none
-    // The pieces are beside the file that a link leads to.
-    std::error_code ignored;
-    const fs::path canonical = fs::canonical(path_, ignored);
-    const fs::path piece = (ignored ? fs::path(path_) : canonical).parent_path() / file;
-    // Else a small file could name a large one a thousand times.
-    if (!seen_.insert(piece.lexically_normal()).second)
-      return wrong_file(path_, fmt::format("two blocks have the file '{}'", legible(file)));
-    if (!fs::is_regular_file(piece))
-      return Error{ErrorCode::cannot_open,
-                   fmt::format("{}: there is no file '{}' of a block", path_, legible(file)),
-                   {},
-                   {}};
-    Result<DataSetFile> data = read_data_set(piece);
+    Result<DataSetFile> data = files_.read(file);
     if (!data) return std::move(data).error();
-    if (Status plane = data->data.check_plane(); !plane)
-      return in_file(piece.string(), std::move(plane).error());
     blocks_.push_back({std::string(group), std::string(element.value("name")), std::move(*data)});
     return ok();
   }
 
   const std::string& path_;
-  std::set<fs::path> seen_;
+  PieceFiles files_;
   std::vector<Block> blocks_;
   std::optional<XmlElement> names_;
 };
