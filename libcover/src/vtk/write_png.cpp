@@ -84,10 +84,12 @@ std::string code_point_of(std::string_view character) {
   return fmt::format("U+{:04X}", code);
 }
 
+/// A further byte of a character in UTF-8.
+bool goes_on(char c) { return (static_cast<unsigned char>(c) & 0xc0U) == 0x80; }
+
 /// The text with its number for each character that the font does not have: it would be left out,
 /// and two names could look alike.
 std::string in_the_font(const Label& label) {
-  const auto goes_on = [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) == 0x80; };
   std::string out;
   for (std::size_t at = 0; at < label.text.size();) {
     std::size_t end = at + 1;
@@ -100,10 +102,25 @@ std::string in_the_font(const Label& label) {
   return out;
 }
 
+/// Cuts a text that would leave the image on the right: numbers of characters are wider than these
+/// were thought to be.
+bool render_within(Label& label, int width, vtkImageData* letters) {
+  const std::string whole = label.text;
+  for (std::size_t kept = whole.size();; --kept) {
+    std::array<int, 6> extent{};
+    if (label.text.empty() || !render(label, letters)) return false;
+    letters->GetExtent(extent.data());
+    const bool fits = std::lround(label.at.x) + extent[1] < width;
+    if (fits || label.anchor != Label::Anchor::start || kept == 0) return true;
+    while (kept > 1 && goes_on(whole[kept - 1])) --kept;
+    label.text = whole.substr(0, kept - 1) + "...";
+  }
+}
+
 void draw(Label label, Image& image) {
   vtkNew<vtkImageData> letters;
   label.text = in_the_font(label);
-  if (label.text.empty() || !render(label, letters)) return;
+  if (!render_within(label, image.width, letters)) return;
   std::array<int, 6> extent{};
   letters->GetExtent(extent.data());
   const int x0 = static_cast<int>(std::lround(label.at.x));

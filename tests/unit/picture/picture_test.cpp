@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "io/images/raster.hpp"
+#include "io/text/text.hpp"
 #include "picture/compose.hpp"
 #include "picture/parts/palette.hpp"
 #include "picture/raster.hpp"
@@ -200,6 +202,21 @@ TEST(Picture, PngTellsLettersApartThatItsFontLacks) {
   EXPECT_NE(bytes_with("\u03b1"), bytes_with("\u03b2"));
   EXPECT_EQ(bytes_with("\u03b1"), bytes_with("U+03B1"));
   EXPECT_NE(bytes_with("\u00f6"), bytes_with("U+00F6"));  // which it has
+}
+
+TEST(Picture, PngCutsNamesThatLeaveIt) {
+  const testing::TemporaryFolder folder;
+  PictureMesh mesh = two_squares();
+  mesh.region_names[1].clear();
+  for (int k = 0; k < 12; ++k) mesh.region_names[1] += "\u2083";  // each as wide as six letters
+  const std::string path = folder.path() / "long.png";
+  ASSERT_TRUE(write_png(mesh, {}, path));
+  const auto text = read_file(path);
+  ASSERT_TRUE(text);
+  const auto picture = decode_png(*text, path);
+  ASSERT_TRUE(picture) << picture.error().message;
+  for (std::size_t y = 0; y < picture->height; ++y)
+    EXPECT_EQ(picture->pixels[(y + 1) * picture->width - 1], picture->pixels[0]) << y;
 }
 
 TEST(Picture, PngHasTheSizeOfTheDrawing) {

@@ -34,7 +34,7 @@ fs::path folder_of(const std::string& target) {
 /// killed in between leaves what remove_leftovers() finds.
 int open_and_unlink(const fs::path& folder, const std::string& name) {
   for (int n = 0; n < kMostSpools; ++n) {
-    const fs::path path = folder / fmt::format(".{}.{}.tmp", name, n);
+    const fs::path path = folder / temporary_name(name, n);
     const int file = open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, kOwnerOnly);
     if (file >= 0) unlink(path.c_str());
     if (file >= 0 || errno != EEXIST) return file;

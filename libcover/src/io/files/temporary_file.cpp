@@ -12,11 +12,13 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <climits>
 #include <system_error>
 #include <utility>
 
 #include <fmt/core.h>
 
+#include "base/content_hash.hpp"
 #include "base/words/characters.hpp"
 #include "io/files/names_in_folder.hpp"
 
@@ -34,15 +36,25 @@ constexpr std::int64_t kPush =
 constexpr mode_t kPermissions = 0777;
 constexpr mode_t kNewFile = 0666;  // less the umask
 
-/// Whether `file` is `.NAME.N.tmp`.
-bool is_temporary(std::string_view file, std::string_view name) {
+/// What stands for a file's name in those of its temporary files: the name, unless these would be
+/// longer than a folder takes.
+std::string stem_of(std::string_view name) {
+  constexpr std::size_t kMost = NAME_MAX - std::string_view("..9999.tmp").size(), kKept = 200;
+  if (name.size() <= kMost) return std::string(name);
+  ContentHash hash;
+  hash.add(name);
+  return std::string(name.substr(0, kKept)) + hash.text();
+}
+
+/// Whether `file` is `.STEM.N.tmp`.
+bool is_temporary(std::string_view file, std::string_view stem) {
   constexpr std::string_view kTail = ".tmp";
   if (!file.starts_with('.') || !file.ends_with(kTail)) return false;
   file.remove_suffix(kTail.size());
   file.remove_prefix(1);
   const std::size_t dot = file.rfind('.');
   if (dot == file.npos || dot + 1 == file.size()) return false;
-  return file.substr(0, dot) == name &&
+  return file.substr(0, dot) == stem &&
          std::all_of(file.begin() + static_cast<std::ptrdiff_t>(dot) + 1, file.end(), is_digit);
 }
 
@@ -58,6 +70,10 @@ bool is_of_proc(const fs::path& path) {
 }
 
 }  // namespace
+
+std::string temporary_name(std::string_view name, int n) {
+  return fmt::format(".{}.{}.tmp", stem_of(name), n);
+}
 
 Error cannot_write(const std::string& path, int number) {
   return {ErrorCode::cannot_write,
@@ -99,7 +115,7 @@ Result<TemporaryFile> TemporaryFile::beside(const fs::path& target, const std::s
   // What the old file keeps from others, the new one does too, from its first byte on.
   const mode_t mode = owner ? owner->mode & kNewFile : kNewFile;
   for (int n = 0; n < kMostNames; ++n) {
-    fs::path name = target.parent_path() / fmt::format(".{}.{}.tmp", target.filename().string(), n);
+    fs::path name = target.parent_path() / temporary_name(target.filename().string(), n);
     out.file_ = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     if (out.file_ < 0) {
       if (errno != EEXIST) return cannot_write(shown, errno);
@@ -231,9 +247,10 @@ Status TemporaryFile::rename(const fs::path& target) {
 }
 
 void remove_leftovers(const fs::path& folder, std::string_view name) {
+  const std::string stem = stem_of(name);
   // Names first: what is removed while a folder is read may make it skip others.
   for (const std::string& found : names_in_folder(folder)) {
-    if (is_temporary(found, name)) remove_if_dead(folder / found);
+    if (is_temporary(found, stem)) remove_if_dead(folder / found);
   }
 }
 

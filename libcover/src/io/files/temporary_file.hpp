@@ -38,6 +38,9 @@ std::optional<FileOwner> owner_of(const std::filesystem::path& path);
 /// for those of its folder, could replace it. `shown` is its name in messages.
 Status may_replace(const std::filesystem::path& target, const std::string& shown);
 
+/// `.NAME.N.tmp`; where a folder takes no name as long as that, NAME is cut short, and has a hash.
+std::string temporary_name(std::string_view name, int n);
+
 /// A hidden file `.NAME.N.tmp` that becomes NAME, or another name, by one rename. It is locked
 /// while its object lives, so that what a killed run has left behind can be told from what is in
 /// work.

@@ -95,7 +95,10 @@ class Flattener {
     if (!error_) draw(*top, Placement());
     if (error_) return *std::move(error_);
     tell();
-    if (input_.polygons.empty() && input_.lines.empty()) say_why_empty(totals_[*top].box);
+    if (input_.polygons.empty() && input_.lines.empty()) {
+      if (const std::string why = why_empty(totals_[*top].box); !why.empty())
+        return Error{ErrorCode::bad_option, fmt::format("{}: {}", input_.source, why), {}, {}};
+    }
     return std::move(input_);
   }
 
@@ -432,15 +435,13 @@ class Flattener {
     return listed(names) + (all ? "" : ", ...");
   }
 
-  /// Where nothing was drawn: what there would have been.
-  void say_why_empty(const Box& all) {
+  /// Where nothing was drawn: what there would have been; empty: nothing at all.
+  [[nodiscard]] std::string why_empty(const Box& all) {
     const std::string names = names_of(layers_.left_out());
-    if (!names.empty() && options_.layer_map.empty())
-      input_.warnings.push_back("nothing is on the layers chosen; others are " + names);
-    else if (options_.window && !all.is_empty())
-      input_.warnings.push_back(fmt::format("nothing is in the window; the layout is from {} to {}",
-                                            describe(in_user_unit(all.low)),
-                                            describe(in_user_unit(all.high))));
+    if (!names.empty()) return "nothing is on the layers chosen; others are " + names;
+    if (!options_.window || all.is_empty()) return {};
+    return fmt::format("nothing is in the window; the layout is from {} to {}",
+                       describe(in_user_unit(all.low)), describe(in_user_unit(all.high)));
   }
 
   const GdsLibrary& library_;

@@ -116,6 +116,22 @@ TEST(AtomicFile, RemovesWhatKilledRunsLeftBehind) {
   EXPECT_EQ(files_in(folder.path()), foreign.size() + 1);
 }
 
+TEST(AtomicFile, NamesMayBeAsLongAsAFolderTakesThem) {
+  const TemporaryFolder folder;
+  for (const std::size_t length : {245U, 246U, 255U}) {
+    const fs::path path = folder.path() / std::string(length, 'n');
+    for (const char* const words : {"one", "two"}) {
+      auto file = AtomicFile::create(path.string());
+      ASSERT_TRUE(file) << file.error().message;
+      file->write(words);
+      ASSERT_TRUE(file->commit());
+      EXPECT_EQ(content(path), words);
+    }
+    fs::remove(path);
+    EXPECT_EQ(files_in(folder.path()), 0U);
+  }
+}
+
 TEST(AtomicFile, HeedsAStop) {
   const TemporaryFolder folder;
   const fs::path path = folder.path() / "mesh.txt";
