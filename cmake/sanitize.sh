@@ -16,7 +16,8 @@ cmake --preset "$preset" -DCOVER_UNITY_BUILD=ON >/dev/null
 cmake --build --preset "$preset" ${targets[@]+--target "${targets[@]}"}
 result=build/$preset/result.txt
 status=0
-TSAN_OPTIONS=ignore_noninstrumented_modules=1 ctest --test-dir "build/$preset" -R "$regex" -LE solvers \
+# A sanitizer's dlopen does not look where the program says that its modules are.
+LD_LIBRARY_PATH=$PWD/build/$preset/apps/cover TSAN_OPTIONS=ignore_noninstrumented_modules=1 ctest --test-dir "build/$preset" -R "$regex" -LE solvers \
   --output-on-failure --timeout 3600 >"$result" 2>&1 || status=$?
 echo "$(git rev-parse --short HEAD), $preset, tests matching '$regex':" | tee -a "$result"
 grep -E 'tests passed|\(Failed\)|\(Timeout\)|SEGFAULT' "$result" || true

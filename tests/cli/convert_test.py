@@ -34,6 +34,12 @@ class Convert(Case):
             for name in 'p.pvtu', 'w.vtu':
                 self.run_cover('convert', name, '--order', '1', '-o', name + '.vtu', '-q')
             self.assertEqual((self.dir / 'p.pvtu.vtu').read_bytes(), (self.dir / 'w.vtu.vtu').read_bytes())
+        # More parts than triangles: some are empty.
+        self.write('s.poly', SQUARE)
+        self.run_cover('mesh', 's.poly', '--parts', '5', '-o', 'e.pvtu', '-q')
+        self.run_cover('check', 's.poly', 'e.pvtu')
+        self.assertEqual(self.run_cover('convert', 'e.pvtu', '-o', 'e.vtk', '-q')[1], '')
+        self.assertIn('RegionId', (self.dir / 'e.vtk').read_text())
         pieces = sorted((self.dir / 'p.parts').iterdir())
         kept = pieces[1].read_bytes()
         for array, what in ('GlobalNodeId', 'the numbers that vertices have'), ('GlobalCellId', 'the numbers that triangles'):
@@ -45,6 +51,11 @@ class Convert(Case):
         self.assertIn('two pieces are the file', self.run_cover('check', plate, 'p.pvtu', code=5)[1])
         self.write('p.pvtu', re.sub('<Piece [^\n]*' + pieces[1].name + '"/>', '', text))
         self.assertRegex(self.run_cover('check', plate, 'p.pvtu', code=5)[1], 'its pieces do not tell all (vertices|triangles)')
+        self.write('p.pvtu', text)
+        self.write('p.pvtu', text.replace('p.parts/' + pieces[1].name, 'x' * 300))
+        self.assertIn('is not there', self.run_cover('check', plate, 'p.pvtu', code=5)[1])
+        self.write('p.pvtu', text.replace('p.parts/' + pieces[1].name, '/proc/self/root' + str(pieces[0].resolve())))
+        self.assertIn('two pieces are the file', self.run_cover('check', plate, 'p.pvtu', code=5)[1])
         self.write('p.pvtu', text)
         pieces[1].unlink()
         self.assertIn(f"its piece 'p.parts/{pieces[1].name}' is not there", self.run_cover('check', plate, 'p.pvtu', code=5)[1])

@@ -46,7 +46,7 @@ class Layouts(Case):
         self.assertEqual(set(self.materials(SAMPLES / 'finfet.gds', *self.MAP, '--layer', 'TiN')), {'TiN'})
 
     def test_says_why_nothing_is_left(self):
-        for words, why in ((['--layer', '99'], 'nothing is on the layers chosen; others are 1/0'),
+        for words, why in ((['--layer', '99'], 'nothing is on the layers chosen; other layers are 1/0'),
                            (['--window', '10,10,11,11'], 'nothing is in the window; the layout is from (-')):
             self.assertIn(why, self.run_cover('info', SAMPLES / 'finfet.gds', *words, code=2)[1])
 

@@ -102,8 +102,8 @@ std::string missing_text(std::size_t points) {
 std::string other_ids_text(std::size_t triangles) {
   if (triangles == 0) return {};
   return fmt::format(
-      "{} the RegionId of another region. If the run that made the mesh joined regions of one "
-      "material, or did not, repeat or leave out --merge-materials here\n",
+      "{} another RegionId than the input's region has there. If the run that made the mesh joined "
+      "regions of one material, or did not, repeat or leave out --merge-materials here\n",
       triangles == 1 ? "1 triangle has" : fmt::format("{} triangles have", grouped(triangles)));
 }
 

@@ -15,11 +15,12 @@ enum class Standing {
   optimal,  ///< no mesh is better by more than 1e-5 degrees
   near,     ///< no mesh is better by more than a degree
   open,     ///< nobody knows
-  coupled,  ///< with couplings first: no mesh without other negative ones is better by a degree
+  coupled,  ///< optimal or near among the meshes that have no other negative couplings
 };
 inline constexpr std::size_t kStandings = 6;
 
-/// Proven limits of a region and what was reached (libcover/docs/limits.md).
+/// Proven limits of a region and what was reached (libcover/docs/limits.md). With
+/// Standing::coupled, of the meshes alone that have no other negative couplings than the one made.
 struct RegionLimits {
   Angle largest_nu = Angle::degrees(180);  ///< no covering mesh has a larger pi - largest angle
   Angle smallest = Angle::degrees(60);     ///< no covering mesh with pi - largest >= under has more

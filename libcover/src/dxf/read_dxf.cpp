@@ -279,7 +279,8 @@ class DxfConverter {
   /// Points along a curve; all of them on `circle`, if there is one.
   void add_path(std::optional<Path> path, const std::optional<ArcCircle>& circle = {}) {
     if (!path || path->size() > room()) return too_many();
-    const std::uint32_t number = circle && circle->radius > 0 ? circles_.of(*circle) : 0;
+    const std::uint32_t number =
+        circle && circle->radius > 0 && std::isfinite(circle->radius) ? circles_.of(*circle) : 0;
     InputSegment segment;
     if (layer_ != nullptr) segment.name = *layer_;
     for (std::size_t k = 0; k + 1 < path->size(); ++k) {

@@ -104,17 +104,28 @@ std::string in_the_font(const Label& label) {
 
 /// Cuts a text that would leave the image on the right: numbers of characters are wider than these
 /// were thought to be.
+///
+/// Cost: O(log n) pictures of the text
 bool render_within(Label& label, int width, vtkImageData* letters) {
   const std::string whole = label.text;
-  for (std::size_t kept = whole.size();; --kept) {
+  const auto fits = [&](const std::string& text) {
+    label.text = text;
     std::array<int, 6> extent{};
-    if (label.text.empty() || !render(label, letters)) return false;
+    if (!render(label, letters)) return true;  // nothing to cut
     letters->GetExtent(extent.data());
-    const bool fits = std::lround(label.at.x) + extent[1] < width;
-    if (fits || label.anchor != Label::Anchor::start || kept == 0) return true;
-    while (kept > 1 && goes_on(whole[kept - 1])) --kept;
-    label.text = whole.substr(0, kept - 1) + "...";
+    return std::lround(label.at.x) + extent[1] < width;
+  };
+  if (whole.empty()) return false;
+  if (label.anchor == Label::Anchor::start && !fits(whole)) {
+    std::size_t kept = 0, cut = whole.size();
+    while (cut - kept > 1) {
+      const std::size_t middle = kept + (cut - kept) / 2;
+      (fits(whole.substr(0, middle) + "...") ? kept : cut) = middle;
+    }
+    while (kept > 0 && goes_on(whole[kept])) --kept;
+    label.text = whole.substr(0, kept) + "...";
   }
+  return render(label, letters);
 }
 
 void draw(Label label, Image& image) {

@@ -54,8 +54,8 @@ TEST(CheckText, NothingMissingIsNotWorthAWord) {
   EXPECT_EQ(missing_text(2).find("2 points of the input missing in the mesh. "), 0u);
   EXPECT_EQ(in_void_text(1).find("1 triangle lies along "), 0u);
   EXPECT_EQ(in_void_text(2).find("2 triangles lie along "), 0u);
-  EXPECT_EQ(other_ids_text(1).find("1 triangle has the RegionId "), 0u);
-  EXPECT_EQ(other_ids_text(2000).find("2,000 triangles have the RegionId "), 0u);
+  EXPECT_EQ(other_ids_text(1).find("1 triangle has another RegionId "), 0u);
+  EXPECT_EQ(other_ids_text(2000).find("2,000 triangles have another RegionId "), 0u);
 }
 
 TEST(CheckText, OfManyCouplingsTheFirstAreListed) {

@@ -437,11 +437,15 @@ class Flattener {
 
   /// Where nothing was drawn: what there would have been; empty: nothing at all.
   [[nodiscard]] std::string why_empty(const Box& all) {
-    const std::string names = names_of(layers_.left_out());
-    if (!names.empty()) return "nothing is on the layers chosen; others are " + names;
-    if (!options_.window || all.is_empty()) return {};
-    return fmt::format("nothing is in the window; the layout is from {} to {}",
-                       describe(in_user_unit(all.low)), describe(in_user_unit(all.high)));
+    const std::string others = names_of(layers_.left_out());
+    const std::string window =
+        !options_.window || all.is_empty()
+            ? ""
+            : fmt::format("the window; the layout is from {} to {}",
+                          describe(in_user_unit(all.low)), describe(in_user_unit(all.high)));
+    if (others.empty()) return window.empty() ? "" : "nothing is in " + window;
+    return "nothing is on the layers chosen" + (window.empty() ? "" : " in " + window) +
+           "; other layers are " + others;
   }
 
   const GdsLibrary& library_;

@@ -13,7 +13,7 @@
 //   - from ap to the next side at a lengths would have to grow faster than triangles with such
 //     angles can, or a vertex beyond ap is so near that one of them would contain it.
 //
-// Zones, shadows and wedges are convex, so four corners tell. Each test leaves room for many times
+// All of these sets are convex, so four corners tell. Each test leaves room for many times
 // the rounding of what it compares, so the search is a proof. The apex that is the other end of the
 // next side (an ear) leaves no rest of a corner and is looked at by itself.
 // Tested by tests/unit/limits/angles/limit_prover_test.cpp.
@@ -462,8 +462,8 @@ bool ApexSearch::nothing_forbids(const Direction& at_a, const Direction& at_b) {
 /// middle, searches would follow the arc where that angle is largest, down to the smallest boxes.
 std::array<ApexSearch::Direction, 2> ApexSearch::probed_in(const Box& box) const {
   const double low = box.a[0].angle + box.b[0].angle, high = box.a[1].angle + box.b[1].angle;
-  const double from = std::max(low, std::numbers::pi - range_.most);
-  const double to = std::min(high, std::numbers::pi - range_.least);
+  const double from = std::max(low, std::numbers::pi - apex_.most);
+  const double to = std::min(high, std::numbers::pi - apex_.least);
   const double share = std::clamp(((from + to) / 2 - low) / (high - low), 0.0, 1.0);
   return {direction_of(box.a[0].angle + share * (box.a[1].angle - box.a[0].angle)),
           direction_of(box.b[0].angle + share * (box.b[1].angle - box.b[0].angle))};

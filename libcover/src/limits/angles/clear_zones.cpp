@@ -51,8 +51,8 @@ ClearZones::State ClearZones::find_out(const RegionSide& side) {
   const auto whole = [](double angle) {
     return State{true, true, false, false, std::cos(angle) / std::sin(angle)};
   };
-  if (meshes_ == Meshes::coupled && side.is_free) {
-    constexpr double kRight = std::numbers::pi / 2 + kZoneSlack;
+  constexpr double kRight = std::numbers::pi / 2 + kZoneSlack;
+  if (meshes_ == Meshes::coupled && side.is_free && angle_ > kRight) {
     if (view_.bend() == 0) return whole(kRight);
     const State half_disc = walk(side, kRight);
     if (half_disc.clear) return half_disc;

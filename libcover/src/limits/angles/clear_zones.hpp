@@ -39,7 +39,7 @@ class ClearZones {
   /// Cost: O(sides of small regions) at the first call for a corner
   double around(std::uint32_t corner);
 
-  /// The angle from which a point is in the zone of a side that is not free for sure.
+  /// The angle from which a point is in a zone that is no half disc for sure.
   [[nodiscard]] double angle() const { return angle_; }
   [[nodiscard]] Meshes meshes() const { return meshes_; }
 
@@ -51,7 +51,7 @@ class ClearZones {
   const RegionView& view_;
   Meshes meshes_;
   double slack_of_bend_;
-  double angle_;                ///< of the zones of sides that are not free
+  double angle_;                ///< of zones that are no half discs
   std::vector<State> state_;    ///< by side
   std::vector<double> around_;  ///< by corner; below 0: not known yet
   std::vector<std::uint64_t> stack_;

@@ -164,7 +164,8 @@ bool FanGrowth::may_fill(double low, double high) const {
 /// The side is sin z / sin y = sin z / sin(phi + z) times as long as the edge: this grows with z.
 /// With the largest z that phi allows it is largest for y = least and z = 90 degrees, and falls on
 /// both sides of that phi; with the smallest z it is smallest for z = apex.least and y = 90
-/// degrees. Where no angle may be 90 degrees, the largest one counts.
+/// degrees. Where no angle may be 90 degrees, the largest one counts. (phi is one that leaves y no
+/// more than range.most: where it does not, there is no triangle, and no bound is needed.)
 void FanGrowth::find_out_next(Ending& ending) const {
   constexpr double kRight = std::numbers::pi / 2, kRoom = 1 + kLogSlack;
   const AngleRange& apex = ending.apex;

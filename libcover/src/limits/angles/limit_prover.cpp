@@ -182,6 +182,7 @@ bool LimitProver::refutes(AngleRange range, std::uint64_t& budget, const ProofEf
   if (range.most >= std::numbers::pi) return false;
   if (is_known_to_refute(range, meshes)) return true;
   if (is_known_as_open(range, effort, meshes)) return false;
+  range.least = std::min(range.least, kSixty);
   const FanGrowth growth(range);
   Known& known = meshes == Meshes::all ? all_ : coupled_;
   if (corners_refute(growth, meshes) || ask_sides(growth, budget, effort, meshes, asked)) {
@@ -201,7 +202,8 @@ std::optional<Meshes> LimitProver::kept_out(const AngleRange& range, std::uint64
   }
   if (refutes(range, budget, without_boxes(effort), Meshes::all, asked)) return Meshes::all;
   if (!refutes(range, budget, effort, meshes, asked)) return std::nullopt;
-  return refutes(range, budget, effort, Meshes::all, Asked::last) ? Meshes::all : meshes;
+  const Asked again = effort.asks_far ? Asked::all : Asked::last;
+  return refutes(range, budget, effort, Meshes::all, again) ? Meshes::all : meshes;
 }
 
 /// A range within one that no mesh keeps to; what is said of all is said of the coupled ones.
@@ -226,17 +228,17 @@ bool LimitProver::is_known_as_open(const AngleRange& range, const ProofEffort& e
            effort.per_search <= known.per_search;
   };
   const auto says_so = [&](const Known& known) {
-    return std::any_of(known.seen.begin(), known.seen.end(), is_kept) ||
-           std::any_of(known.open.begin(), known.open.end(), is_around);
+    return std::any_of(known.open.begin(), known.open.end(), is_around);
   };
-  return says_so(coupled_) || (meshes == Meshes::all && says_so(all_));
+  return says_so(coupled_) || (meshes == Meshes::all &&
+                               (says_so(all_) || std::any_of(seen_.begin(), seen_.end(), is_kept)));
 }
 
 /// Whether a corner's sides differ too much in length for the triangles that fill it: what settles
 /// most questions about lots of land, before any place is looked at.
-bool LimitProver::corners_refute(const FanGrowth& growth, Meshes meshes) const {
+bool LimitProver::corners_refute(const FanGrowth& growth, Meshes meshes) {
   const auto sides = view_.sides();
-  return std::any_of(sides.begin(), sides.end(), [&](const RegionSide& side) {
+  const auto refuter = std::find_if(sides.begin(), sides.end(), [&](const RegionSide& side) {
     const RegionCorner& corner = view_.corner(side.start);
     const double before =
         length(view_.point(view_.seen_from(corner).back().vertex) - view_.point(side.a));
@@ -251,6 +253,12 @@ bool LimitProver::corners_refute(const FanGrowth& growth, Meshes meshes) const {
     };
     return !may_end(sides[corner.before], before / after) || !may_end(side, after / before);
   });
+  if (refuter == sides.end()) return false;
+  if (meshes == Meshes::coupled) {  // which all are asked about next
+    last_refuter_ = static_cast<std::uint32_t>(refuter - sides.begin());
+    has_refuter_ = true;
+  }
+  return true;
 }
 
 bool LimitProver::ask_sides(const FanGrowth& growth, std::uint64_t& budget,
@@ -375,7 +383,7 @@ ProvenLimits LimitProver::prove(const ReachedAngles& reached, const ReachedAngle
     if (ask(beyond, effort, meshes, Asked::all)) {
       ask(kExactQuestion, glance(quick(effort)), limits.of_smallest, exact);
     } else if (effort.asks_far && view_.sides().size() <= kFewSides) {
-      ask(kFarQuestion, quick(effort), meshes, Asked::all);
+      ask(kFarQuestion, quick(effort), Meshes::all, Asked::all);
     }
   }
   // Rounding of the mesh's own coordinates must not make it better than its limit.

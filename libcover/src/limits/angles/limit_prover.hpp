@@ -65,10 +65,10 @@ class LimitProver {
   /// Tells of a covering mesh of this region: no question is asked of all that it answers.
   ///
   /// REQUIRES: all its angles are in `angles`
-  void has_seen(const AngleRange& angles) { all_.seen.push_back(angles); }
+  void has_seen(const AngleRange& angles) { seen_.push_back(angles); }
 
-  /// From now on coupled meshes are all whose negative couplings are those of these sides, and of
-  /// those that a vertex of the region encroaches. Forgets what was answered about them.
+  /// From now on coupled meshes may have negative couplings on these sides, too, beside those that
+  /// a vertex of the region encroaches. Forgets what was answered about them.
   void exempt(std::span<const IndexPair> sides);
 
   /// pi - gamma_opt: Lemma 1.
@@ -110,10 +110,9 @@ class LimitProver {
     AngleRange range;
     std::uint64_t per_search = 0;  ///< what was tried; of no importance where it was refuted
   };
-  /// What is known of meshes.
+  /// What was answered of meshes.
   struct Known {
     std::vector<Answer> refuted, open;
-    std::vector<AngleRange> seen;  ///< angles of some
   };
 
   bool refutes(AngleRange range, std::uint64_t& budget, const ProofEffort& effort, Meshes meshes,
@@ -123,7 +122,7 @@ class LimitProver {
   [[nodiscard]] bool is_known_to_refute(const AngleRange& range, Meshes meshes) const;
   [[nodiscard]] bool is_known_as_open(const AngleRange& range, const ProofEffort& effort,
                                       Meshes meshes) const;
-  [[nodiscard]] bool corners_refute(const FanGrowth& growth, Meshes meshes) const;
+  bool corners_refute(const FanGrowth& growth, Meshes meshes);
   [[nodiscard]] bool ask_sides(const FanGrowth& growth, std::uint64_t& budget,
                                const ProofEffort& effort, Meshes meshes, Asked asked);
   void ask_worst_first();
@@ -137,6 +136,7 @@ class LimitProver {
   bool has_refuter_ = false;
   std::vector<std::uint32_t> undecided_;
   Known all_, coupled_;
+  std::vector<AngleRange> seen_;  ///< angles of covering meshes
 };
 
 }  // namespace cover

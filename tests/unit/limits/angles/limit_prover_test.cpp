@@ -166,7 +166,7 @@ std::vector<AngleRange> refuted_ranges(LimitProver& prover, Meshes meshes = Mesh
       (prover.refutes({most, middle}, budget, effort, meshes) ? high : low) = middle;
     }
     previous = high;
-    ranges.push_back({most, high});
+    if (high < kPi / 3) ranges.push_back({most, high});  // an equilateral triangle has 60 degrees
   }
   return ranges;
 }

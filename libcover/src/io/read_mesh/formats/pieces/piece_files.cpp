@@ -19,13 +19,15 @@ PieceFiles::PieceFiles(const std::string& path) : path_(path) {
 
 Result<DataSetFile> PieceFiles::read(std::string_view piece) {
   const std::filesystem::path file = folder_ / piece;
-  if (!seen_.insert(file.lexically_normal()).second)
-    return wrong_file(path_, fmt::format("two pieces are the file '{}'", legible(piece)));
-  if (!std::filesystem::is_regular_file(file))
+  std::error_code failed;
+  const std::filesystem::path canonical = std::filesystem::canonical(file, failed);
+  if (failed || piece.empty() || !std::filesystem::is_regular_file(canonical, failed))
     return Error{ErrorCode::cannot_open,
                  fmt::format("{}: its piece '{}' is not there", path_, legible(piece)),
                  {},
                  {}};
+  if (!seen_.insert(canonical).second)
+    return wrong_file(path_, fmt::format("two pieces are the file '{}'", legible(piece)));
   Result<DataSetFile> data = read_data_set(file);
   if (!data) return data;
   if (Status plane = data->data.check_plane(); !plane)

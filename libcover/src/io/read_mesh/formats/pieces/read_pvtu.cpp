@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -16,6 +17,7 @@
 #include <fmt/core.h>
 
 #include "base/faults/errors.hpp"
+#include "base/none.hpp"
 #include "io/read_mesh/formats/mesh_of_data_set.hpp"
 #include "io/read_mesh/formats/pieces/piece_files.hpp"
 #include "io/text/array_names.hpp"
@@ -34,8 +36,9 @@ bool is_of_division(std::string_view name) {
 /// A number of each item in the whole, below `end`; nothing if one has none.
 std::optional<std::vector<std::uint32_t>> numbers_in_whole(const NumberArray* array,
                                                            std::size_t items, std::size_t end) {
-  if (array == nullptr || !array->is_one_per(items)) return std::nullopt;
   std::vector<std::uint32_t> numbers;
+  if (items == 0) return numbers;  // such a piece has no arrays
+  if (array == nullptr || !array->is_one_per(items)) return std::nullopt;
   numbers.reserve(items);
   const bool is_sound = array->visit([&](auto values) {
     for (std::size_t k = 0; k < values.size(); ++k) {
@@ -51,7 +54,7 @@ std::optional<std::vector<std::uint32_t>> numbers_in_whole(const NumberArray* ar
 NumberArray array_of(std::string name, std::size_t components, const std::vector<double>& values) {
   const std::size_t bytes = values.size() * sizeof(double);
   auto own = std::make_unique<char[]>(bytes);
-  std::memcpy(own.get(), values.data(), bytes);
+  if (bytes > 0) std::memcpy(own.get(), values.data(), bytes);
   NumberArray array(NumberType::float64, std::move(own), values.size());
   array.name = std::move(name);
   array.components = components;
@@ -95,6 +98,7 @@ class Whole {
   Status number_points() {
     std::size_t all = 0;
     for (const DataSetFile& piece : pieces_) all += piece.data.point_count();
+    all = std::min<std::size_t>(all, kNone);
     std::vector<bool> is_there;
     for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
       const std::size_t count = data(k).point_count();
@@ -103,7 +107,13 @@ class Whole {
       for (std::uint32_t p = 0; p < count; ++p) {
         const std::uint32_t number = (*numbers)[p];
         if (number >= points_.size()) points_.resize(number + 1), is_there.resize(number + 1);
-        if (is_there[number] && coordinates_of(points_[number]) != data(k).point(p))
+        const DataSet::Coordinates x = data(k).point(p);
+        if (!std::isfinite(x[0]) || !std::isfinite(x[1]))
+          return Error{ErrorCode::non_finite_coordinate,
+                       fmt::format("{}: vertex {} has no finite coordinates", path_, number),
+                       {},
+                       {}};
+        if (is_there[number] && coordinates_of(points_[number]) != x)
           return wrong_file(path_, fmt::format("vertex {} is at two places", number));
         if (!is_there[number]) points_[number] = {k, p};
         is_there[number] = true;
@@ -118,6 +128,7 @@ class Whole {
   Status number_cells() {
     std::size_t all = 0;
     for (const DataSetFile& piece : pieces_) all += piece.data.cell_count();
+    all = std::min<std::size_t>(all, kNone);
     std::vector<bool> is_there;
     for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
       const std::size_t count = data(k).cell_count();
@@ -169,16 +180,24 @@ class Whole {
     return whole.add_cells(array_of("", 1, connectivity), offsets, std::move(types), 0);
   }
 
-  /// The arrays of the first piece that all others have, too.
+  /// The arrays that all pieces have which are not empty, in the order of the first of these.
   template <class Count>
   [[nodiscard]] std::vector<NumberArray> joined(std::vector<NumberArray> DataSet::*arrays,
                                                 std::span<const Place> places,
                                                 const Count& count) const {
     std::vector<NumberArray> out;
-    for (const NumberArray& first : data(0).*arrays) {
+    const auto filled = std::find_if(pieces_.begin(), pieces_.end(), [&](const DataSetFile& piece) {
+      return count(piece.data) > 0;
+    });
+    if (filled == pieces_.end()) return out;
+    for (const NumberArray& first : filled->data.*arrays) {
       if (is_of_division(first.name)) continue;
       std::vector<std::vector<double>> of_piece;
       for (const DataSetFile& piece : pieces_) {
+        if (count(piece.data) == 0) {
+          of_piece.emplace_back();
+          continue;
+        }
         const auto& all = piece.data.*arrays;
         const auto array = std::find_if(all.begin(), all.end(), [&](const NumberArray& other) {
           return other.name == first.name && other.is_one_per(count(piece.data));
