@@ -141,10 +141,11 @@ class Builder {
     for (auto f = cdt_.finite_faces_begin(); f != cdt_.finite_faces_end(); ++f) {
       if (f->info() == kNone) continue;
       Triangle& triangle = out.triangles[f->info()];
-      for (int i = 0; i < 3; ++i) {
-        triangle.v[static_cast<std::size_t>(i)] = f->vertex(i)->info();
-        triangle.n[static_cast<std::size_t>(i)] = f->neighbor(i)->info();
-        triangle.set_locked(i, f->is_constrained(i));
+      for (const Corner i : kCorners) {
+        const auto of_face = static_cast<int>(i);
+        triangle.v[i] = f->vertex(of_face)->info();
+        triangle.n[i] = f->neighbor(of_face)->info();
+        triangle.set_locked(i, f->is_constrained(of_face));
       }
     }
     cdt_.clear();

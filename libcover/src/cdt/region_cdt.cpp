@@ -103,11 +103,11 @@ class Assembly {
     Triangle& triangle = out_.triangles[t];
     triangle.v = triangles_[t];
     for (const Corner i : kCorners) {  // half-edge i starts at corner i: opposite to i + 2
-      const std::size_t edge = i.previous();
+      const Corner edge = i.previous();
       const std::uint32_t u = triangle.v[i], v = triangle.v[i.next()];
       const std::uint32_t twin = opposite_[3 * t + i];
       triangle.n[edge] = twin == kNone ? kNone : twin / 3;
-      if (is_side(u, v) || is_side(v, u)) triangle.set_locked(static_cast<int>(edge), true);
+      if (is_side(u, v) || is_side(v, u)) triangle.set_locked(edge, true);
     }
   }
 

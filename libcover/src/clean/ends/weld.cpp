@@ -213,7 +213,7 @@ class Search {
   const std::vector<double>& limit_;
   const Kept& kept_;
   std::vector<IndexPair> neighbours_;  ///< pairs of ends with a line between them
-  std::vector<std::pair<std::uint32_t, int>> stack_;
+  std::vector<std::pair<std::uint32_t, Corner>> stack_;
 };
 
 /// Makes the welds of one round in the drawing.

@@ -5,7 +5,6 @@
 // line; radii are at right angles to tangents: 4 triangles.
 // Tested by tests/unit/disks/gaps/gap_test.cpp.
 #include "disks/gaps/gap.hpp"
-#include "geom/topology/corner.hpp"
 
 namespace cover::disks {
 namespace {
@@ -23,13 +22,14 @@ GapKind with_line(TriangleDraft& draft, const Gap& gap) {  // the line is side 2
 }  // namespace
 
 GapKind fill_three(TriangleDraft& draft, const Gap& gap) {
-  for (const Corner k : kCorners) {
-    if (gap.e[k].is_line()) return with_line(draft, gap.from_side(k.next()));
+  for (int k = 0; k < 3; ++k) {
+    if (gap.e[static_cast<std::size_t>(k)].is_line())
+      return with_line(draft, gap.from_side((k + 1) % 3));
   }
   const Index centre = draft.add(
       circumcentre(draft.points[gap.t[0]], draft.points[gap.t[1]], draft.points[gap.t[2]]));
-  for (const Corner k : kCorners) {
-    const Index c = gap.e[k].id;
+  for (int k = 0; k < 3; ++k) {
+    const Index c = gap.e[static_cast<std::size_t>(k)].id;
     draft.triangle(gap.begin_of(k), c, centre);
     draft.triangle(c, gap.end_of(k), centre);
   }

@@ -57,14 +57,14 @@ void RegionView::exempt(std::span<const IndexPair> sides) {
 
 void RegionView::find_bend() {
   if (sides_.empty() || sides_.size() != cdt_.points.size()) return;
-  constexpr double kRounding = 1e-12;  // far more than the sum of a corner's angles has
+  constexpr double kRoundingOfSum = 1e-12;  // far more than the sum of a corner's angles has
   double bend = 0;
   std::size_t walked = 0;
   std::uint32_t s = 0;
   do {
     const RegionSide &side = sides_[s], &next = sides_[side.end];
     if (orientation(point(side.a), point(side.b), point(next.b)) == Sign::negative)
-      bend += corners_[side.end].angle - std::numbers::pi + kRounding;
+      bend += corners_[side.end].angle - std::numbers::pi + kRoundingOfSum;
     s = side.end;
     ++walked;
   } while (s != 0 && walked < sides_.size());

@@ -22,7 +22,7 @@ bool put_on_edge(MutableMesh& mesh, std::uint32_t t, Corner i) {
   Cavity cavity(mesh);
   cavity.start(t);
   Installed installed;
-  return cavity.grow(i) &&
+  return cavity.grow(static_cast<int>(i)) &&
          install_star(mesh, cavity, midpoint(mesh.corner(t, i), mesh.corner(t, i.next())),
                       installed);
 }

@@ -79,7 +79,7 @@ bool Cavity::grow(int k) {
   const double* const excess = mesh_->excess.data();
   const int after = next(k), before = previous(k);
   const Corner j = s.edge_from(vertex(after));  // edge j of s runs from the end to the start of k
-  const std::uint32_t c = s.v[at(j)];
+  const std::uint32_t c = s.v[j];
   const std::uint32_t first = s.n[j.next()];       // across start - c
   const std::uint32_t second = s.n[j.previous()];  // across c - end
   // Where c is the end of the next edge, or the start of the one before, the vertex between that

@@ -23,8 +23,8 @@ std::uint32_t first_negative(const MutableMesh& mesh, const Team& team) {
   team.each_range(count, kFewAtATime, [&](std::size_t first, std::size_t last) {
     for (auto t = static_cast<std::uint32_t>(first); t < last && t < least; ++t) {
       if (mesh.is_hole(t)) continue;
-      for (int i = 0; i < 3; ++i) {
-        const std::uint32_t u = mesh.triangles[t].n[static_cast<std::size_t>(i)];
+      for (const Corner i : kCorners) {
+        const std::uint32_t u = mesh.triangles[t].n[i];
         if (is_side(u) || u < t || !is_negative(mesh, t, i)) continue;
         std::uint32_t other = least;
         while (t < other && !least.compare_exchange_weak(other, t)) {

@@ -126,7 +126,7 @@ class Thinner {
     const auto corner = [&](int i) { return points[star.vertex(i)]; };
     const auto beyond = [&](int i) {  // the corner across loop edge i, which is no side
       const MeshTriangle& t = mesh_.triangles[star.outer(i)];
-      return points[t.v[at(t.edge_from(star.vertex(star.next(i))))]];
+      return points[t.v[t.edge_from(star.vertex(star.next(i)))]];
     };
     return widest_.allows(corner(star.previous(before)), corner(before), beyond(before)) &&
            widest_.allows(beyond(k), corner(after), corner(star.next(after)));

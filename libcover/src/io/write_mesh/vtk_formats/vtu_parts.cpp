@@ -229,9 +229,9 @@ void put_place(Point place, BinaryWriter& out) {
 
 VtuGrid grid_of(const TriangleArrays& arrays, std::size_t points, ArrayWriter coordinates,
                 ArrayWriter nodes) {
-  constexpr std::size_t kCorners = 3;
+  constexpr std::size_t kNodes = 3;
   VtuGrid grid;
-  add_cells(points, std::move(coordinates), arrays.triangles, CellType::triangle, kCorners,
+  add_cells(points, std::move(coordinates), arrays.triangles, CellType::triangle, kNodes,
             std::move(nodes), grid);
   add_triangle_arrays(arrays, grid);
   return grid;
