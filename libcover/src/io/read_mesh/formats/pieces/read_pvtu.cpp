@@ -67,6 +67,7 @@ struct Place {
   std::uint32_t item = 0;
 };
 
+/// The mesh of which the pieces are made.
 class Whole {
  public:
   Whole(std::string path, std::vector<DataSetFile> pieces)
@@ -180,40 +181,34 @@ class Whole {
     return whole.add_cells(array_of("", 1, connectivity), offsets, std::move(types), 0);
   }
 
-  /// The arrays that all pieces have which are not empty, in the order of the first of these.
+  /// The arrays that all pieces have which are not empty, their numbers in the order of the whole.
+  /// The pieces lose them.
   template <class Count>
-  [[nodiscard]] std::vector<NumberArray> joined(std::vector<NumberArray> DataSet::*arrays,
-                                                std::span<const Place> places,
-                                                const Count& count) const {
+  std::vector<NumberArray> joined(std::vector<NumberArray> DataSet::*arrays,
+                                  std::span<const Place> places, const Count& count) {
+    std::vector<std::vector<NumberArray>> of_pieces;
+    std::vector<std::size_t> first;  // item of each piece, behind those of the pieces before
+    std::size_t items = 0;
+    for (DataSetFile& piece : pieces_) {
+      first.push_back(items);
+      const std::size_t own = count(piece.data);
+      items += own;
+      if (own == 0) continue;
+      std::vector<NumberArray>& all = piece.data.*arrays;
+      std::erase_if(all, [&](const NumberArray& array) {
+        return is_of_division(array.name) || !array.is_one_per(own);
+      });
+      of_pieces.push_back(std::move(all));
+    }
     std::vector<NumberArray> out;
-    const auto filled = std::find_if(pieces_.begin(), pieces_.end(), [&](const DataSetFile& piece) {
-      return count(piece.data) > 0;
-    });
-    if (filled == pieces_.end()) return out;
-    for (const NumberArray& first : filled->data.*arrays) {
-      if (is_of_division(first.name)) continue;
-      std::vector<std::vector<double>> of_piece;
-      for (const DataSetFile& piece : pieces_) {
-        if (count(piece.data) == 0) {
-          of_piece.emplace_back();
-          continue;
-        }
-        const auto& all = piece.data.*arrays;
-        const auto array = std::find_if(all.begin(), all.end(), [&](const NumberArray& other) {
-          return other.name == first.name && other.is_one_per(count(piece.data));
-        });
-        if (array == all.end()) break;
-        array->visit([&](auto values) {
-          std::vector<double>& numbers = of_piece.emplace_back();
-          for (std::size_t k = 0; k < values.size(); ++k)
-            numbers.push_back(static_cast<double>(values[k]));
-        });
-      }
-      if (of_piece.size() < pieces_.size()) continue;
+    for (const NumberArray& array : join_pieces(std::move(of_pieces))) {
       std::vector<double> values;
       values.reserve(places.size());
-      for (const Place& place : places) values.push_back(of_piece[place.piece][place.item]);
-      out.push_back(array_of(first.name, 1, values));
+      array.visit([&](auto numbers) {
+        for (const Place& place : places)
+          values.push_back(static_cast<double>(numbers[first[place.piece] + place.item]));
+      });
+      out.push_back(array_of(array.name, 1, values));
     }
     return out;
   }
