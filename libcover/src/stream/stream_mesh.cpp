@@ -150,7 +150,7 @@ bool offer_to_keep(const std::string& beside, std::size_t input_vertices, std::s
       OfferToKeep{target->string(), seen->path().string(), word, input_vertices, regions}));
 }
 
-/// Meshes the regions into a spool file.
+/// Meshes the regions into a spool file. Throws what Callbacks::progress throws.
 Result<StreamedOutput> spool_work(Work work, const Options& options, const StreamOptions& stream,
                                   const Callbacks& callbacks, StageClock& clock) {
   std::vector<std::uint32_t> vertex_of = input_vertices(work.pslg, work.boundaries);
@@ -173,14 +173,16 @@ Result<StreamedOutput> spool_work(Work work, const Options& options, const Strea
       [&] { return spool->is_good(); },
       stream.may_stay && callbacks.write_elsewhere ? &staying : nullptr);
   if (!meshed) return std::move(meshed).error();
-  if (Status finished = spool->finish(); !finished) return std::move(finished).error();
-  clock.note("mesh", work.report.times);
-  auto parts =
-      std::make_shared<const SpooledParts>(spooler.finish(work.report, callbacks.write_elsewhere));
-  const MeshCounts counts = count_of(*parts, work.table);
-  return StreamedOutput{
-      Output{Mesh(), std::move(work.pslg), std::move(work.table), std::move(work.report)}, counts,
-      std::move(parts)};
+  return errors_as_values("stream", [&]() -> Result<StreamedOutput> {
+    if (Status finished = spool->finish(); !finished) return std::move(finished).error();
+    clock.note("mesh", work.report.times);
+    auto parts = std::make_shared<const SpooledParts>(
+        spooler.finish(work.report, callbacks.write_elsewhere));
+    const MeshCounts counts = count_of(*parts, work.table);
+    return StreamedOutput{
+        Output{Mesh(), std::move(work.pslg), std::move(work.table), std::move(work.report)}, counts,
+        std::move(parts)};
+  });
 }
 
 Result<StreamedOutput> stream_or_hold(Input input, const Options& asked,
@@ -199,8 +201,7 @@ Result<StreamedOutput> stream_or_hold(Input input, const Options& asked,
     return StreamedOutput{*std::move(output), counts, nullptr};
   }
   if (Status room = check_room_for(*expected, stream.beside); !room) return std::move(room).error();
-  return errors_as_values(
-      "stream", [&] { return spool_work(*std::move(work), options, stream, callbacks, clock); });
+  return spool_work(*std::move(work), options, stream, callbacks, clock);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <memory>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 
 #include <cover/cover_mesh.hpp>
@@ -135,6 +136,22 @@ TEST(StreamMesh, SaysWhatNeedsTheWholeMesh) {
   EXPECT_NE(needs_whole_mesh(doped, {}).find("values"), std::string::npos);
   EXPECT_NE(needs_whole_mesh("x.vtu", WriteOptions{.order = 2}), "");
   EXPECT_NE(needs_whole_mesh("x.svg", {}).find(".svg"), std::string::npos);
+}
+
+/// In every stage, and as with a mesh in memory: nothing of it is an error of cover.
+TEST(StreamMesh, WhatTheProgressFunctionThrowsReachesTheCaller) {
+  const testing::TemporaryFolder folder;
+  for (const char* stage : {"clean", "regions", "mesh"}) {
+    Callbacks callbacks;
+    callbacks.progress = [&](const Progress& progress) {
+      if (progress.stage == stage) throw std::runtime_error("enough");
+    };
+    EXPECT_THROW(
+        (void)stream_mesh(testing::checker(6, 6, 16), {}, {folder.path() / "x", 0}, callbacks),
+        std::runtime_error)
+        << stage;
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << stage;
+  }
 }
 
 TEST(StreamMesh, FailsWhereThereIsNoFolder) {

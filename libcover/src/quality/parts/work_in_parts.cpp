@@ -24,6 +24,7 @@ class WorkInParts {
   WorkInParts(MutableMesh& whole, const Sharing& sharing)
       : whole_(whole),
         team_(sharing.team),
+        stop_(sharing.stop),
         labels_(label_parts(whole, part_count(whole, sharing), team_)),
         parts_(labels_.count),
         owners_(whole.points.size(), team_) {}
@@ -35,7 +36,7 @@ class WorkInParts {
     team_.each(parts_.size(), [&](std::size_t k) { find_border(k); });
     team_.each(parts_.size(), [&](std::size_t k) {
       cut(k);
-      work(parts_[k].given);
+      if (!stop_.stop_requested()) work(parts_[k].given);
       put_back.put(parts_[k]);
     });
     labels_ = {};
@@ -230,6 +231,7 @@ class WorkInParts {
 
   MutableMesh& whole_;
   const Team& team_;
+  const std::stop_token& stop_;
   PartLabels labels_;
   std::vector<PartInWork> parts_;
   VertexOwners owners_;

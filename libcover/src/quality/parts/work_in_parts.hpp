@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "base/team.hpp"
@@ -20,6 +21,7 @@ namespace cover {
 struct Sharing {
   Team team{};
   std::size_t part_size = 50'000;  ///< triangles: some tenths of a second of work, half a cache
+  std::stop_token stop{};          ///< once requested, work ends early, and the mesh is of no use
 
   [[nodiscard]] bool divides(const MutableMesh& mesh) const {
     return mesh.triangle_count() >= 2 * part_size;
@@ -52,8 +54,8 @@ struct Borders {
 std::size_t part_count(const MutableMesh& whole, const Sharing& sharing);
 
 /// Divides `whole` into parts (part_labels.hpp), calls `work` with every part, and puts in place
-/// what it has made of Part::mesh. `done` is called with every part in turn whose places were
-/// asked for, which are now those that it has.
+/// what it has made of Part::mesh; parts that wait once a stop is requested stay as they are. `done`
+/// is called with every part in turn whose places were asked for, which are now those that it has.
 ///
 /// Memory: the parts that are worked on, and of the others what they have more than at first.
 ///

@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -46,8 +47,9 @@ constexpr std::size_t kLargeFan = 1024;  ///< triangles around a new vertex, que
 class Refinement {
  public:
   /// REQUIRES: all outlive this
-  Refinement(MutableMesh& mesh, const RefineLimits& limits, SizeField& sizes, const Team& team = {})
-      : mesh_(mesh), limits_(limits), sizes_(sizes), team_(team) {
+  Refinement(MutableMesh& mesh, const RefineLimits& limits, SizeField& sizes,
+             const std::stop_token& stop, const Team& team = {})
+      : mesh_(mesh), limits_(limits), sizes_(sizes), stop_(stop), team_(team) {
     const double kappa = std::atan2(1.0, limits.smallest_cot);
     off_centre_ = 0.4 / std::tan(kappa / 2);  // 0.5: the new angle is kappa
     const std::size_t count = mesh_.triangles.size();
@@ -84,8 +86,9 @@ class Refinement {
  private:
   void work_off() {
     std::size_t inserted = 0;
-    while (inserted < limits_.budget && take_block()) {
-      while (inserted < limits_.budget && !block_.empty()) {
+    const auto goes_on = [&] { return inserted < limits_.budget && !stop_.stop_requested(); };
+    while (goes_on() && take_block()) {
+      while (goes_on() && !block_.empty()) {
         const Entry entry = block_.pop();
         if (mesh_.triangles[entry.triangle].v != entry.v) continue;
         is_stopped_ = false;
@@ -379,6 +382,7 @@ class Refinement {
   MutableMesh& mesh_;
   RefineLimits limits_;
   SizeField& sizes_;
+  const std::stop_token& stop_;
   const Team team_;
   double off_centre_ = 0;
   BucketQueue<Entry> waiting_;  ///< whole blocks apart, in the order in which they came
@@ -412,7 +416,7 @@ void refine_in_blocks(MutableMesh& mesh, const RefineLimits& limits, SizeField& 
       own.budget = static_cast<std::size_t>(share * static_cast<double>(limits.budget)) + 1;
     }
     result.sizes = sizes.part(part.vertices);
-    Refinement refinement(part.mesh, own, result.sizes);
+    Refinement refinement(part.mesh, own, result.sizes, sharing.stop);
     refinement.run();
     result.waiting = refinement.waiting();
     part.tells_places = true;
@@ -429,7 +433,7 @@ void refine_in_blocks(MutableMesh& mesh, const RefineLimits& limits, SizeField& 
     result = {};
   };
   work_in_parts(mesh, sharing, work, collect);
-  Refinement(mesh, limits, sizes, sharing.team).run(waiting);
+  Refinement(mesh, limits, sizes, sharing.stop, sharing.team).run(waiting);
 }
 
 }  // namespace
@@ -442,7 +446,7 @@ void refine(MutableMesh& mesh, const RefineLimits& limits, SizeField sizes,
   if (parts.divides(mesh)) {
     refine_in_blocks(mesh, limits, sizes, parts);
   } else {
-    Refinement(mesh, limits, sizes).run();
+    Refinement(mesh, limits, sizes, sharing.stop).run();
   }
   mesh.arrange(sharing.team);
 }

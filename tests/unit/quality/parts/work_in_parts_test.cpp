@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <random>
+#include <stop_token>
 
 #include "../mesh_checks.hpp"
 #include "base/run_all.hpp"
@@ -87,6 +88,17 @@ TEST(WorkInParts, AreBranchesBetweenFixedVertices) {
   EXPECT_GT(parts, 4U);
   EXPECT_EQ(all, start.triangle_count());
   EXPECT_LE(borders.triangles.size(), 2 * (parts - 1));
+}
+
+TEST(WorkInParts, AreLeftAloneOnceAStopIsRequested) {
+  std::stop_source source;
+  source.request_stop();
+  const MutableMesh start = refined(smooth_star(2000));
+  MutableMesh mesh = start;
+  std::size_t worked = 0;
+  work_in_parts(mesh, {{}, kPartSize, source.get_token()}, [&](Part&) { ++worked; });
+  EXPECT_EQ(worked, 0U);
+  EXPECT_TRUE(are_same(mesh, start));
 }
 
 TEST(WorkInParts, ArePutBackAsTheyWere) {

@@ -1,5 +1,7 @@
 #include "quality/starts/delaunay_refinement.hpp"
 
+#include <stop_token>
+
 #include "../mesh_checks.hpp"
 #include "../refine_limits.hpp"
 #include "quality/fault/merit.hpp"
@@ -46,6 +48,18 @@ TEST(Refine, KeepsOutOfForcedTriangles) {
     }
   }
   EXPECT_GE(merit.large, forced);
+}
+
+/// The mesh is of no use then, but nobody waits for it.
+TEST(Refine, EndsOnceAStopIsRequested) {
+  std::stop_source source;
+  MutableMesh mesh = cdt_mesh(smooth_star(200));
+  const std::size_t before = mesh.triangle_count();
+  source.request_stop();
+  refine(mesh, limits_of(20), {}, {.stop = source.get_token()});
+  EXPECT_EQ(mesh.triangle_count(), before);
+  refine(mesh, limits_of(20));
+  EXPECT_GT(mesh.triangle_count(), before);
 }
 
 }  // namespace
