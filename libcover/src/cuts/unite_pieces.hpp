@@ -9,12 +9,19 @@
 
 namespace cover {
 
-/// Takes all points from `first` on out of `pslg`: they cut segments, whose pieces become one
-/// again. Returns, by old segment, the one that it is a piece of.
+/// What became of segments and points.
+struct United {
+  std::vector<std::uint32_t> whole;   ///< by old segment: the one that it is a piece of
+  std::vector<std::uint32_t> number;  ///< by old point: its number; kNone: it cut a segment
+};
+
+/// Takes points from `first` on out of `pslg` that cut straight segments, whose pieces become one
+/// again. Those on arcs stay, in their order: their chords are no straight line.
 ///
 /// REQUIRES: points from `first` on came from cut_segments(), and no segment is periodic
-/// ENSURES:  cut_segments() with the same points gives the same segments, points and table
+/// ENSURES:  cut_segments() with the same points gives the same segments, points and table, but for
+///           the numbers of points on arcs
 /// Cost:     O(n)
-std::vector<std::uint32_t> unite_pieces(Pslg& pslg, RegionTable& table, std::size_t first);
+United unite_pieces(Pslg& pslg, RegionTable& table, std::size_t first);
 
 }  // namespace cover

@@ -15,6 +15,7 @@
 
 #include "base/faults/out_of_memory.hpp"
 #include "cuts/after_meshing/cut_until_met.hpp"
+#include "cuts/after_meshing/cut_what_is_left.hpp"
 #include "cuts/after_meshing/mesh_with_closed_clefts.hpp"
 #include "cuts/after_meshing/thin_cuts.hpp"
 #include "cuts/before_meshing/onto_arcs.hpp"
@@ -61,6 +62,10 @@ Status mesh_each_region(Work& work, const Options& options, const Callbacks& cal
   if (!meshes) return std::move(meshes).error();
   work.meshes = *std::move(meshes);
   return ok();
+}
+
+Status cut_regions(Work& work, const Options& options, const Callbacks& callbacks) {
+  return cut_until_met(work, options, callbacks);
 }
 
 Status look_at_cuts(Work& work, const Options& /*options*/, const Callbacks& /*callbacks*/) {
@@ -136,8 +141,8 @@ Result<Work> begin_work(Input&& input, const Options& options, bool memory_count
 
 Result<Output> finish_work(Work work, const Options& options, const Callbacks& callbacks,
                            StageClock& clock) {
-  for (const auto step : {mesh_each_region, cut_until_met, mesh_with_closed_clefts,
-                          cut_until_coupled, thin_cuts, look_at_cuts})
+  for (const auto step : {mesh_each_region, cut_regions, mesh_with_closed_clefts, cut_until_coupled,
+                          thin_cuts, cut_what_is_left, look_at_cuts})
     if (Status status = step(work, options, callbacks); !status) return std::move(status).error();
   clock.note("mesh", work.report.times);
   return stitch_regions(std::move(work), callbacks, clock);

@@ -2,11 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
+#include <vector>
 
 #include <cover/cover_mesh.hpp>
 
 #include "cuts/cut_segments.hpp"
+#include "geom/curves/arc.hpp"
+#include "geom/vector.hpp"
+#include "support/inputs/arc_devices.hpp"
 #include "support/inputs/inputs.hpp"
 
 namespace cover {
@@ -20,7 +25,6 @@ TEST(UnitePieces, TakesCutsBack) {
     Pslg pslg = prepared->pslg;
     RegionTable table = prepared->table;
     const std::size_t first = pslg.points.size();
-    std::vector<std::uint32_t> piece_of;
     for (int round = 0; round < 2; ++round) {  // pieces of pieces
       std::vector<SegmentCut> cuts;
       for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
@@ -32,8 +36,8 @@ TEST(UnitePieces, TakesCutsBack) {
       cut_segments(pslg, table, cuts);
     }
     const std::size_t pieces = pslg.segments.size();
-    piece_of = unite_pieces(pslg, table, first);
-    EXPECT_EQ(piece_of.size(), pieces);
+    const United united = unite_pieces(pslg, table, first);
+    EXPECT_EQ(united.whole.size(), pieces);
     EXPECT_EQ(pslg.points, prepared->pslg.points);
     EXPECT_EQ(pslg.point_markers, prepared->pslg.point_markers);
     ASSERT_EQ(pslg.segments.size(), prepared->pslg.segments.size());
@@ -47,6 +51,46 @@ TEST(UnitePieces, TakesCutsBack) {
     for (std::size_t k = 0; k < table.regions.size(); ++k)
       EXPECT_EQ(table.regions[k].sides, prepared->table.regions[k].sides);
   }
+}
+
+/// A chord has a cut on its arc, and the second half one that lies on the chord: only this one goes,
+/// with those of straight segments.
+TEST(UnitePieces, LeavesPointsOnArcs) {
+  Input input = testing::input_of({{-3, -3}, {3, -3}, {3, 3}, {-3, 3}});
+  testing::add_circle(input, {0, 0}, 2, 6);
+  const Result<Prepared> prepared = prepare(input);
+  ASSERT_TRUE(prepared.has_value());
+  Pslg pslg = prepared->pslg;
+  RegionTable table = prepared->table;
+  const std::size_t first = pslg.points.size();
+  const auto at = [&](VertexId v) { return pslg.points[v.index()]; };
+  const auto is_chord = [&](const Segment& s) { return circle_of(pslg, s) != nullptr; };
+  const auto cut = [&](std::size_t s, Point p) {
+    cut_segments(pslg, table, std::array{SegmentCut{SegmentId{s}, {p}}});
+  };
+  std::size_t chord = 0, line = 0;
+  while (!is_chord(pslg.segments[chord])) ++chord;
+  while (is_chord(pslg.segments[line])) ++line;
+  const Segment whole = pslg.segments[chord];
+  const Point middle = midpoint(at(whole.a), at(whole.b));
+  const Point on_arc = Point{0, 0} + (2 / length(middle - Point{0, 0})) * (middle - Point{0, 0});
+  cut(line, midpoint(at(pslg.segments[line].a), at(pslg.segments[line].b)));
+  chord = 0;
+  while (!is_chord(pslg.segments[chord])) ++chord;
+  cut(chord, on_arc);
+  straighten(pslg.segments[chord + 1]);
+  cut(chord + 1, midpoint(on_arc, at(whole.b)));
+
+  const United united = unite_pieces(pslg, table, first);
+  EXPECT_EQ(pslg.points.size(), first + 1);
+  EXPECT_EQ(pslg.points.back(), on_arc);
+  EXPECT_EQ(pslg.segments.size(), prepared->pslg.segments.size() + 1);
+  EXPECT_EQ(united.number,
+            (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, kNone, 10, kNone}));
+  EXPECT_EQ(united.whole[chord + 1], united.whole[chord] + 1);
+  EXPECT_EQ(united.whole[chord + 2], united.whole[chord + 1]);
+  EXPECT_EQ(pslg.segments[united.whole[chord]].b, VertexId{first});
+  EXPECT_EQ(pslg.segments[united.whole[chord + 1]].b, whole.b);
 }
 
 }  // namespace

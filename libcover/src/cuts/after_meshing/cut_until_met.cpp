@@ -152,10 +152,11 @@ class Rounds {
 /// Whether another round may be of use.
 class Prospects {
  public:
-  Prospects(const Options& options, const Work& work)
+  Prospects(const Options& options, const Work& work, CutUntil until)
       : points_(work.pslg.points.size()),
         is_acute_(options.max_angle < Angle::degrees(90)),
-        is_mended_after_(wants_thinning(work, work.boundaries, options)) {}
+        is_mended_after_(until == CutUntil::few_are_left &&
+                         wants_thinning(work, work.boundaries, options)) {}
 
   void note_round(bool is_better) { in_vain_ = is_better ? 0 : in_vain_ + 1; }
 
@@ -220,7 +221,8 @@ Note note_of_cuts(const Pslg& pslg, std::size_t before, const Options& options) 
 
 }  // namespace
 
-Status cut_until_met(Work& work, const Options& options, const Callbacks& callbacks) {
+Status cut_until_met(Work& work, const Options& options, const Callbacks& callbacks,
+                     CutUntil until) {
   if (!options.split_interfaces || options.method != Method::quality ||
       !work.table.hull_sides.empty())
     return ok();
@@ -229,7 +231,7 @@ Status cut_until_met(Work& work, const Options& options, const Callbacks& callba
   if (!options.layers.empty() || keeps_couplings) return ok();
   const std::size_t points = work.pslg.points.size();
   Rounds rounds(options, callbacks, points);
-  const Prospects prospects(options, work);
+  const Prospects prospects(options, work, until);
   Trial best{std::move(work)};
   Status status = halve_in_rounds(best, rounds, prospects);
   if (!status) return status;

@@ -27,9 +27,7 @@ namespace {
 /// Whether so many triangles are obtuse that halving segments was in vain. A few are mended where
 /// they are, with fewer vertices.
 bool misses_nearly_everywhere(const Work& work) {
-  std::size_t obtuse = 0;
-  for (const RegionMesh& mesh : work.meshes) obtuse += mesh.report.quality.obtuse;
-  return 2 * obtuse > work.report.input_points;
+  return 2 * obtuse_triangles(work.meshes) > work.report.input_points;
 }
 
 /// Cuts segments and meshes regions as it is done without clefts.
@@ -50,8 +48,8 @@ Status mesh_closed(Work& work, const Options& options, const std::stop_token& st
 ConformingMesh joined(const ClosedClefts& closed) {
   Pslg uncut = closed.work.pslg;
   RegionTable table = closed.work.table;
-  const std::vector<std::uint32_t> whole = unite_pieces(uncut, table, closed.point_before.size());
-  return join(closed.work, uncut, whole);
+  const United united = unite_pieces(uncut, table, closed.point_before.size());
+  return join(closed.work, uncut, united);
 }
 
 /// The same without the obtuse triangles that a few more vertices mend. Points that came before any
@@ -103,9 +101,9 @@ bool take(OpenedClefts opened, const Options& options, Work& whole) {
 }  // namespace
 
 Status mesh_with_closed_clefts(Work& work, const Options& options, const Callbacks& callbacks) {
-  // What is cut for boxes is told cut by cut, and stays.
-  if (options.box_method || !wants_thinning(work, work.boundaries, options) ||
-      !misses_nearly_everywhere(work))
+  // What is cut for boxes is told cut by cut, and stays. Walls are straight.
+  if (options.box_method || !work.pslg.circles.empty() ||
+      !wants_thinning(work, work.boundaries, options) || !misses_nearly_everywhere(work))
     return ok();
   return errors_as_values("close clefts", [&]() -> Status {
     Work whole = work;

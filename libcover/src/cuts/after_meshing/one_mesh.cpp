@@ -7,6 +7,7 @@
 #include "base/containers/order.hpp"
 #include "cuts/cut_segments.hpp"
 #include "cuts/hand_out_triangles.hpp"
+#include "geom/curves/arc.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
 
@@ -94,20 +95,23 @@ std::vector<std::uint32_t> sort_by_place(ConformingMesh& mesh) {
   return order;
 }
 
-ConformingMesh join(const Work& work, const Pslg& uncut, const std::vector<std::uint32_t>& whole) {
+ConformingMesh join(const Work& work, const Pslg& uncut, const United& united) {
   ConformingMesh mesh;
   mesh.points = work.pslg.points;
   mesh.line.assign(mesh.points.size(), ConformingMesh::kFixed);
   for (const Segment& s : uncut.segments)
     mesh.lines.push_back({uncut.points[s.a.index()], uncut.points[s.b.index()]});
-  for (std::size_t s = 0; s < whole.size(); ++s) {
+  const auto lines = static_cast<std::uint32_t>(mesh.lines.size());
+  for (std::size_t s = 0; s < united.whole.size(); ++s) {
     if (!touches_a_region(work.table.sides[s])) continue;
     const Segment& piece = work.pslg.segments[s];
+    const bool is_chord = circle_of(work.pslg, piece) != nullptr;
     for (const VertexId v : {piece.a, piece.b}) {
-      if (v.index() >= uncut.points.size()) mesh.line[v.index()] = whole[s];
+      if (united.number[v.index()] == kNone) mesh.line[v.index()] = united.whole[s];
     }
     mesh.pieces.push_back({static_cast<std::uint32_t>(piece.a.index()),
-                           static_cast<std::uint32_t>(piece.b.index()), whole[s]});
+                           static_cast<std::uint32_t>(piece.b.index()),
+                           united.whole[s] + (is_chord ? lines : 0)});
   }
   for (std::size_t r = 0; r < work.meshes.size(); ++r) {
     const RegionBoundary& boundary = work.boundaries[r];

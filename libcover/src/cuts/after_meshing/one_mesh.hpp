@@ -4,14 +4,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "cuts/unite_pieces.hpp"
 #include "cuts/work.hpp"
 #include "mend/conforming_mesh.hpp"
 
 namespace cover {
 
-/// The meshes of all regions in one. `uncut` is the PSLG of `work` before its segments were cut;
-/// `whole`: by segment of `work`, which of those it is a piece of, see unite_pieces().
-ConformingMesh join(const Work& work, const Pslg& uncut, const std::vector<std::uint32_t>& whole);
+/// The meshes of all regions in one. `uncut` is the PSLG of `work` before its segments were cut,
+/// and `united` what unite_pieces() said of it. Chords of arcs stay whole.
+ConformingMesh join(const Work& work, const Pslg& uncut, const United& united);
 
 /// Points, lines and triangles in the order of their coordinates, which does not depend on that of
 /// the input. Returns the old numbers of the points.

@@ -120,10 +120,15 @@ std::vector<WantedAngles> angles_for_the_last(const ConformingMesh& mesh, double
   return out;
 }
 
-std::size_t obtuse(const std::vector<RegionMesh>& meshes) {
-  std::size_t count = 0;
-  for (const RegionMesh& mesh : meshes) count += mesh.report.quality.obtuse;
-  return count;
+/// Whether more couplings are negative.
+bool has_more_couplings(const std::vector<RegionMesh>& before,
+                        const std::vector<RegionMesh>& after) {
+  const auto negative = [](const std::vector<RegionMesh>& meshes) {
+    std::size_t count = 0;
+    for (const RegionMesh& mesh : meshes) count += mesh.report.box.negative_couplings;
+    return count;
+  };
+  return negative(after) > negative(before);
 }
 
 /// Whether promise 3 held in a region and does no longer: what stays obtuse is not asked how much.
@@ -171,11 +176,11 @@ class Thinning {
   /// `work` and `options` outlive this object.
   Thinning(const Work& work, const Options& options)
       : work_(work), options_(options), whole_(work) {
-    const std::size_t first = work.report.input_points;
-    const std::vector<std::uint32_t> whole = unite_pieces(whole_.pslg, whole_.table, first);
-    mesh_ = join(work, whole_.pslg, whole);
-    fixed_ = sort_by_place(mesh_);
-    std::erase_if(fixed_, [&](std::uint32_t v) { return v >= first; });
+    const United united = unite_pieces(whole_.pslg, whole_.table, work.report.input_points);
+    mesh_ = join(work, whole_.pslg, united);
+    for (const std::uint32_t v : sort_by_place(mesh_)) {
+      if (v < united.number.size() && united.number[v] != kNone) fixed_.push_back(united.number[v]);
+    }
   }
 
   [[nodiscard]] std::size_t new_vertices() const {
@@ -211,12 +216,7 @@ class Thinning {
     }
     trial.after = result.points.size() - first;
     trial.is_better = bad < bad_before || (bad == bad_before && trial.after < trial.before);
-    if (stop.stop_requested() || !trial.is_better) return trial;
-    if (options_.box_method && bad > 0) {
-      trial.fault = counted(bad, "triangle") + " would be obtuse or have a negative coupling";
-    } else {
-      judge(result, trial);
-    }
+    if (!stop.stop_requested() && trial.is_better) judge(result, trial);
     return trial;
   }
 
@@ -229,8 +229,11 @@ class Thinning {
       return;
     }
     measure_again(thin, options_);
-    if (const std::size_t left = obtuse(thin.meshes); left > obtuse(work_.meshes)) {
+    if (const std::size_t left = obtuse_triangles(thin.meshes);
+        left > obtuse_triangles(work_.meshes)) {
       trial.fault = counted(left, "triangle") + " would be obtuse";
+    } else if (options_.box_method && has_more_couplings(work_.meshes, thin.meshes)) {
+      trial.fault = "more couplings would be negative";
     } else if (loses_a_bound(work_.meshes, thin.meshes)) {
       trial.fault = "a region would lose its bound";
     } else {
@@ -293,12 +296,18 @@ std::vector<TrialOrError> trials_of(const Thinning& thinning, const Options& opt
 
 }  // namespace
 
+std::size_t obtuse_triangles(const std::vector<RegionMesh>& meshes) {
+  std::size_t count = 0;
+  for (const RegionMesh& mesh : meshes) count += mesh.report.quality.obtuse;
+  return count;
+}
+
 bool wants_thinning(const Prepared& prepared, const std::vector<RegionBoundary>& boundaries,
                     const Options& options) {
   const Pslg& pslg = prepared.pslg;
   return options.split_interfaces && options.method == Method::quality &&
          options.max_angle == Angle::degrees(90) && options.layers.empty() && !options.growth &&
-         prepared.table.hull_sides.empty() && pslg.circles.empty() && pslg.periodic.empty() &&
+         prepared.table.hull_sides.empty() && pslg.periodic.empty() &&
          std::all_of(boundaries.begin(), boundaries.end(), [](const RegionBoundary& b) {
            return b.size == 0 && b.size_at.empty() && !b.size_function;
          });

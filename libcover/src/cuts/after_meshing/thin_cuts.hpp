@@ -12,9 +12,13 @@
 namespace cover {
 
 /// Whether thin_cuts() has something to do: segments may be cut, and 90 degrees are asked for.
-/// Where sizes, layers, periodic sides, arcs or a hull ask for vertices too, none is taken away.
+/// Where sizes, layers, periodic sides or a hull ask for vertices too, none is taken away. Vertices
+/// on arcs stay, and no others come to them.
 bool wants_thinning(const Prepared& prepared, const std::vector<RegionBoundary>& boundaries,
                     const Options& options);
+
+/// In all regions together.
+std::size_t obtuse_triangles(const std::vector<RegionMesh>& meshes);
 
 /// Takes away, over segments too, vertices that no right angle needs, merges and moves others, and
 /// mends obtuse triangles that are left. Points of the input stay. No more triangles are obtuse

@@ -14,6 +14,8 @@
 #include <cover/cover_mesh.hpp>
 #include <cover/verify.hpp>
 
+#include "geom/curves/arc.hpp"
+#include "support/inputs/arc_devices.hpp"
 #include "support/inputs/inputs.hpp"
 #include "support/inputs/shapes.hpp"
 #include "support/mesh_shape.hpp"
@@ -162,6 +164,31 @@ TEST(ThinCuts, GoesWithBoxMethod) {
     for (const BoxCut& cut : output.report.box_cuts)
       EXPECT_EQ(std::count(output.pslg.points.begin(), output.pslg.points.end(), cut.at), 1);
   }
+}
+
+/// Chords stay as they were cut, and what cuts them stays on the circle; all else is thinned out.
+TEST(ThinCuts, KeepsWhatIsOnArcs) {
+  std::size_t told = 0, on_arcs = 0;
+  for (std::uint64_t seed = 1; seed < 7; ++seed) {
+    SCOPED_TRACE(seed);
+    const Output output = mesh_of(testing::random_arc_device(seed));
+    EXPECT_EQ(output.report.quality.obtuse, 0U);
+    told += note_of(output) != nullptr ? 1 : 0;
+    const bool has_straight_pieces = std::any_of(
+        output.report.notes.begin(), output.report.notes.end(),
+        [](const Note& note) { return note.message.find("straight") != std::string::npos; });
+    if (has_straight_pieces) continue;
+    for (const Segment& s : output.pslg.segments) {
+      const ArcCircle* const circle = circle_of(output.pslg, s);
+      if (circle == nullptr) continue;
+      ++on_arcs;
+      for (const VertexId v : {s.a, s.b})
+        EXPECT_NEAR(length(output.pslg.points[v.index()] - circle->centre), circle->radius,
+                    1e-9 * circle->radius);
+    }
+  }
+  EXPECT_GE(told, 3U);
+  EXPECT_GE(on_arcs, 100U);
 }
 
 TEST(ThinCuts, VerticesThatSizesAskedForStay) {
