@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/numbers.hpp"
+#include "base/none.hpp"
 #include "geom/curves/arc.hpp"
 
 namespace cover {

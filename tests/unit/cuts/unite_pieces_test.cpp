@@ -53,8 +53,8 @@ TEST(UnitePieces, TakesCutsBack) {
   }
 }
 
-/// A chord has a cut on its arc, and the second half one that lies on the chord: only this one goes,
-/// with those of straight segments.
+/// A chord has a cut on its arc, and the second half one that lies on the chord: only this one
+/// goes, with those of straight segments.
 TEST(UnitePieces, LeavesPointsOnArcs) {
   Input input = testing::input_of({{-3, -3}, {3, -3}, {3, 3}, {-3, 3}});
   testing::add_circle(input, {0, 0}, 2, 6);

@@ -54,8 +54,9 @@ struct Borders {
 std::size_t part_count(const MutableMesh& whole, const Sharing& sharing);
 
 /// Divides `whole` into parts (part_labels.hpp), calls `work` with every part, and puts in place
-/// what it has made of Part::mesh; parts that wait once a stop is requested stay as they are. `done`
-/// is called with every part in turn whose places were asked for, which are now those that it has.
+/// what it has made of Part::mesh. Parts that wait once a stop is requested stay as they are.
+/// `done` is called with every part in turn whose places were asked for, which are now those that
+/// it has.
 ///
 /// Memory: the parts that are worked on, and of the others what they have more than at first.
 ///
