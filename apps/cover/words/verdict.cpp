@@ -1,5 +1,5 @@
-// The promises are checked again here, by the checker that shares no code with the mesher, so that
-// a report never repeats what the mesher believes of itself.
+// Promises 1, 2 and 4 are checked again here, by the checker that shares no code with the mesher.
+// Of the bound, and of angles, is told what the run measured on its mesh; `cover check` looks anew.
 // Tested by tests/unit/app/verdict_test.cpp.
 #include "words/verdict.hpp"
 

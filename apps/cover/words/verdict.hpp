@@ -22,8 +22,8 @@ struct Finding {
   std::string text;
 };
 
-/// Checks the promises on the mesh itself, exactly, and compares what was reached with the targets
-/// of the run.
+/// Checks promises 1, 2 and 4 on the mesh itself, exactly; tells of the others what the run found,
+/// and compares what was reached with its targets.
 ///
 /// Cost: O(n log n)
 std::vector<Finding> findings_of(const Output& output);

@@ -80,7 +80,7 @@ TEST(AlmondMethodOnRandomRegions, KeepsPromisesWithAnAlmondOnEverySide) {
   }
 }
 
-/// Promise 5: scaled by a power of two, everything is the same; shifted exactly, too.
+/// Promise 5, too: scaled by a power of two, everything is the same; shifted exactly, too.
 TEST(AlmondMethodOnRandomRegions, UnitAndOriginDoNotMatter) {
   const std::uint64_t seed = testing::test_seed(1);
   for (std::uint64_t k = 0; k < fuzz_count(100); ++k) {

@@ -80,7 +80,7 @@ TEST(ThinCuts, TakesVerticesAwayAndLeavesNoObtuseTriangle) {
   EXPECT_GE(told, 9u);
 }
 
-/// Promise 4: another order of points and segments, other directions, and the same triangles.
+/// Promise 5, too: another order of points and segments, other directions, and the same triangles.
 TEST(ThinCuts, TheOrderOfTheInputDoesNotMatter) {
   std::size_t cut = 0;
   for (const bool boxes : {false, true}) {
