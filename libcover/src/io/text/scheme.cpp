@@ -2,6 +2,7 @@
 // Tested by tests/unit/io/input/drawings/read_sde_test.cpp.
 #include "io/text/scheme.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include <fmt/core.h>
@@ -19,7 +20,9 @@ class SchemeParser {
 
   Result<SchemeText> parse() {
     open_.emplace_back();
-    while (!error_ && at_ < text_.size()) read();
+    while (!error_ && at_ < text_.size()) is_left_out() ? pass_line() : read();
+    if (!error_ && !branches_.empty())
+      fail(branches_.back().line, "this condition of the preprocessor has no #endif");
     if (!error_ && open_.size() > 1) fail(open_.back().line, "this parenthesis is not closed");
     if (error_) return *error_;
     out_.forms = std::move(open_.front().items);
@@ -52,8 +55,7 @@ class SchemeParser {
     } else if (text_.substr(at_, 2) == "#|") {
       skip_comment();
     } else if (c == '#' && is_directive()) {
-      out_.directives.push_back(line_);
-      skip_line();
+      read_directive();
     } else if (c == '(' || c == '[') {
       open_list();
     } else if (c == ')' || c == ']') {
@@ -71,6 +73,53 @@ class SchemeParser {
     const bool is_truth =
         word.size() < 2 || ((word[0] == 't' || word[0] == 'f') && is_end(word[1]));
     return !is_truth && starts_line();
+  }
+
+  /// What stands between the lines of a preprocessor's condition.
+  struct Branch {
+    int line = 0;
+    bool is_known = false;   ///< which branch counts
+    bool is_taken = false;   ///< this one does
+    bool was_taken = false;  ///< this one or one before it did
+  };
+
+  [[nodiscard]] bool is_left_out() const {
+    return std::any_of(branches_.begin(), branches_.end(),
+                       [](const Branch& branch) { return !branch.is_taken; });
+  }
+
+  /// A line that is left out, unless it is one of the preprocessor's.
+  void pass_line() {
+    while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
+    if (at_ < text_.size() && text_[at_] == '#' && is_directive()) return read_directive();
+    skip_line();
+    if (at_ < text_.size()) ++at_, ++line_;
+  }
+
+  /// #if 0, #if 1, #elif, #else, #endif; all else is not understood.
+  void read_directive() {
+    const std::size_t first = at_;
+    skip_line();
+    const std::string_view all = trimmed(text_.substr(first, at_ - first));
+    const std::string_view word = all.substr(0, all.find_first_of(" \t"));
+    const std::string_view rest = trimmed(all.substr(word.size()));
+    if (word.substr(0, 3) == "#if") {
+      const bool is_known = word == "#if" && (rest == "0" || rest == "1");
+      if (!is_known && !is_left_out()) out_.conditions.push_back(line_);
+      branches_.push_back({line_, is_known, is_known && rest == "1", is_known && rest == "1"});
+    } else if ((word == "#else" || word == "#elif") && !branches_.empty()) {
+      Branch& branch = branches_.back();
+      if (word == "#elif" && branch.is_known && !branch.was_taken && rest != "0" && rest != "1") {
+        branch.is_known = false;
+        out_.conditions.push_back(line_);
+      }
+      branch.is_taken = branch.is_known && !branch.was_taken && rest != "0";
+      branch.was_taken = branch.was_taken || branch.is_taken;
+    } else if (word == "#endif" && !branches_.empty()) {
+      branches_.pop_back();
+    } else if (!is_left_out()) {
+      out_.directives.push_back(line_);
+    }
   }
 
   static bool is_blank(char c) {
@@ -137,6 +186,7 @@ class SchemeParser {
   std::size_t at_ = 0;
   int line_ = 1;
   std::vector<SchemeForm> open_;  ///< the first is the whole text
+  std::vector<Branch> branches_;  ///< of the preprocessor, one in the other
   SchemeText out_;
   std::optional<Error> error_;
 };

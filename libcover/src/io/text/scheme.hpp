@@ -21,15 +21,17 @@ struct SchemeForm {
 };
 
 /// The expressions of a text, one after the other; comments (; and #| |#) are passed over, and
-/// lines that begin with # as a preprocessor's do, which are returned in `directives`. A quote
-/// stands for nothing: '(a b) is (a b).
+/// lines that begin with # as a preprocessor's do. Of these, #if 0 and #if 1, #else and #endif are
+/// understood. What stands between any other #if and its #endif is left out, as nobody knows which
+/// branch is meant. A quote stands for nothing: '(a b) is (a b).
 ///
-/// Errors: syntax, with the line: parentheses that do not match, texts without an end, more than
-///         kSchemeDepth lists one in the other
+/// Errors: syntax, with the line: parentheses that do not match, texts and #if without an end, more
+///         than kSchemeDepth lists one in the other
 /// Cost:   O(length of text)
 struct SchemeText {
   std::vector<SchemeForm> forms;
-  std::vector<int> directives;  ///< their lines
+  std::vector<int> conditions;  ///< lines of each #if that is not understood
+  std::vector<int> directives;  ///< lines of all else that a preprocessor would read
 };
 Result<SchemeText> parse_scheme(std::string_view text, const std::string& source);
 

@@ -355,6 +355,8 @@ class SdeReader {
   }
 
   void tell(const SchemeText& text) {
+    for (const int line : text.conditions)
+      count(left_out_, "all between a condition of the preprocessor and its #endif", line);
     for (const int line : text.directives) count(left_out_, "a line of the preprocessor", line);
     if (!left_out_.empty())
       input_.warnings.push_back("not understood and left out: " + list_of(left_out_));

@@ -75,6 +75,29 @@ bool compare(std::string_view name, double a, double b) {
                         : a >= b;
 }
 
+/// Whether two values are the same; nothing if that cannot be known.
+std::optional<bool> are_equal(const SchemeValue& a, const SchemeValue& b) {
+  if (a.is(Kind::none) || b.is(Kind::none)) return std::nullopt;
+  if (a.kind != b.kind || a.items.size() != b.items.size()) return false;
+  for (std::size_t k = 0; k < a.items.size(); ++k) {
+    const std::optional<bool> same = are_equal(a.items[k], b.items[k]);
+    if (!same || !*same) return same;
+  }
+  return a.number == b.number && a.text == b.text && a.at == b.at;
+}
+
+struct Question {
+  std::string_view name;
+  bool (*holds)(double);
+};
+constexpr Question kQuestions[] = {
+    {"zero?", [](double x) { return x == 0; }},
+    {"positive?", [](double x) { return x > 0; }},
+    {"negative?", [](double x) { return x < 0; }},
+    {"even?", [](double x) { return std::remainder(x, 2) == 0; }},
+    {"odd?", [](double x) { return std::abs(std::remainder(x, 2)) == 1; }},
+};
+
 double fold(char operation, double a, double b) {
   switch (operation) {
     case '+':
@@ -168,25 +191,47 @@ std::optional<SchemeValue> SchemeEvaluator::special(const SchemeForm& form) {
     return SchemeValue{};
   }
   if (name == "begin") return body(form, 1);
+  if (name == "let" && count > 2 && form.items[1].kind == SchemeForm::Kind::symbol)
+    return loop(form);
   if (name == "let" || name == "let*") return let(form, name == "let*");
   if (name == "cond") return cond(form);
   if (name == "if" && count >= 3) {
-    if (evaluate(form.items[1]).is_true()) return evaluate(form.items[2]);
-    return count > 3 ? evaluate(form.items[3]) : SchemeValue{};
+    const std::optional<bool> holds = condition(form.items[1]);
+    if (holds.value_or(false)) return evaluate(form.items[2]);
+    return holds && count > 3 ? evaluate(form.items[3]) : SchemeValue{};
   }
   if ((name == "when" || name == "unless") && count >= 2)
-    return evaluate(form.items[1]).is_true() == (name == "when") ? body(form, 2) : SchemeValue{};
+    return condition(form.items[1]) == (name == "when") ? body(form, 2) : SchemeValue{};
   if (name == "and" || name == "or") {
     SchemeValue value = truth(name == "and");
-    for (std::size_t k = 1; k < count && value.is_true() == (name == "and"); ++k)
+    for (std::size_t k = 1; k < count && value.is_true() == (name == "and"); ++k) {
       value = evaluate(form.items[k]);
+      if (value.is(Kind::none)) break;
+    }
     return value;
+  }
+  const auto goes_on = std::find_if(loops_.rbegin(), loops_.rend(),
+                                    [&](const Loop& loop) { return loop.tails.contains(&form); });
+  if (goes_on != loops_.rend()) {
+    goes_on->next = arguments(form);
+    return SchemeValue{};
   }
   return std::nullopt;
 }
 
+/// Whether the form holds; nothing if it is not understood: then no branch counts.
+std::optional<bool> SchemeEvaluator::condition(const SchemeForm& form) {
+  const SchemeValue value = evaluate(form);
+  if (!value.is(Kind::none)) return value.is_true();
+  if (unknown_.empty()) unknown_ = "a condition";
+  return std::nullopt;
+}
+
 SchemeValue SchemeEvaluator::define(const SchemeForm& form) {
-  if (form.items.size() < 3) return {};
+  if (form.items.size() < 3) {
+    unknown_ = "define";
+    return {};
+  }
   const SchemeForm& what = form.items[1];
   if (what.kind == SchemeForm::Kind::symbol) {
     scopes_.back()[what.word] = evaluate(form.items[2]);
@@ -200,7 +245,10 @@ SchemeValue SchemeEvaluator::define(const SchemeForm& form) {
 }
 
 SchemeValue SchemeEvaluator::let(const SchemeForm& form, bool in_order) {
-  if (form.items.size() < 2 || form.items[1].kind != SchemeForm::Kind::list) return {};
+  if (form.items.size() < 2 || form.items[1].kind != SchemeForm::Kind::list) {
+    unknown_ = "let";
+    return {};
+  }
   std::map<std::string, SchemeValue> scope;
   if (in_order) scopes_.emplace_back();
   for (const SchemeForm& pair : form.items[1].items) {
@@ -214,12 +262,66 @@ SchemeValue SchemeEvaluator::let(const SchemeForm& form, bool in_order) {
   return value;
 }
 
+/// (let NAME ((x first) ...) body), where the body calls NAME last, if at all: a loop. A call of it
+/// elsewhere is not understood.
+SchemeValue SchemeEvaluator::loop(const SchemeForm& form) {
+  if (form.items[2].kind != SchemeForm::Kind::list) {
+    unknown_ = "let";
+    return {};
+  }
+  std::vector<std::string> names;
+  Values values;
+  for (const SchemeForm& pair : form.items[2].items) {
+    if (pair.items.size() != 2) continue;
+    names.push_back(pair.items[0].word);
+    values.push_back(evaluate(pair.items[1]));
+  }
+  Loop own;
+  if (form.items.size() > 3) add_tails(form.items.back(), form.items[1].word, own.tails);
+  loops_.push_back(std::move(own));
+  const std::size_t scope = scopes_.size();
+  scopes_.emplace_back();
+  SchemeValue value;
+  for (bool goes_on = true; goes_on && !error_;) {
+    values.resize(names.size());
+    for (std::size_t k = 0; k < names.size(); ++k) scopes_[scope][names[k]] = std::move(values[k]);
+    value = body(form, 3);
+    goes_on = loops_.back().next.has_value();
+    if (goes_on) values = *std::exchange(loops_.back().next, std::nullopt);
+  }
+  scopes_.pop_back();
+  loops_.pop_back();
+  return value;
+}
+
+/// The calls of `name` that a form ends with.
+void SchemeEvaluator::add_tails(const SchemeForm& form, const std::string& name,
+                                std::set<const SchemeForm*>& tails) {
+  if (form.items.empty()) return;
+  const std::string& head = form.items[0].word;
+  const std::size_t count = form.items.size();
+  if (head == name) {
+    tails.insert(&form);
+  } else if (head == "if") {
+    for (std::size_t k = 2; k < count; ++k) add_tails(form.items[k], name, tails);
+  } else if (head == "cond") {
+    for (std::size_t k = 1; k < count; ++k) {
+      if (form.items[k].items.size() > 1) add_tails(form.items[k].items.back(), name, tails);
+    }
+  } else if (head == "begin" || head == "let" || head == "let*" || head == "when" ||
+             head == "unless" || head == "and" || head == "or") {
+    if (count > 1) add_tails(form.items.back(), name, tails);
+  }
+}
+
 SchemeValue SchemeEvaluator::cond(const SchemeForm& form) {
   for (std::size_t k = 1; k < form.items.size(); ++k) {
     const SchemeForm& clause = form.items[k];
     if (clause.items.empty()) continue;
-    const bool is_else = clause.items[0].word == "else";
-    if (is_else || evaluate(clause.items[0]).is_true()) return body(clause, 1);
+    if (clause.items[0].word == "else") return body(clause, 1);
+    const std::optional<bool> holds = condition(clause.items[0]);
+    if (!holds) return {};
+    if (*holds) return body(clause, 1);
   }
   return {};
 }
@@ -275,7 +377,21 @@ std::optional<SchemeValue> SchemeEvaluator::other_builtin(std::string_view name,
                                                           const SchemeForm& form) {
   if (name == "not") {
     const Values values = arguments(form);
-    return truth(!values.empty() && !values[0].is_true());
+    if (values.empty() || values[0].is(Kind::none)) return SchemeValue{};
+    return truth(!values[0].is_true());
+  }
+  if (name == "eq?" || name == "eqv?" || name == "equal?" || name == "string=?") {
+    const Values values = arguments(form);
+    if (values.size() != 2) return SchemeValue{};
+    const std::optional<bool> same = are_equal(values[0], values[1]);
+    return same ? truth(*same) : SchemeValue{};
+  }
+  const auto* const question = std::find_if(std::begin(kQuestions), std::end(kQuestions),
+                                            [&](const Question& q) { return q.name == name; });
+  if (question != std::end(kQuestions)) {
+    const Values values = arguments(form);
+    return values.size() == 1 && all_numbers(values) ? truth(question->holds(values[0].number))
+                                                     : SchemeValue{};
   }
   if (name == "list") {
     SchemeValue list;

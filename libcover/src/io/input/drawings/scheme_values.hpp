@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,9 +38,10 @@ struct SchemeValue {
 };
 
 /// Evaluates Scheme as decks of drawing programs have it: define (also of functions), set!, let,
-/// let*, if, cond, when, unless, begin, and, or, not, arithmetic, comparisons, sqrt and the like,
-/// list, car, string-append, number->string, position and gvector. Names are found in the scope of
-/// the caller. Everything else is handed on.
+/// let*, loops by let with a name, if, cond, when, unless, begin, and, or, not, arithmetic,
+/// comparisons, equal? and the like, sqrt and the like, list, car, string-append, number->string,
+/// position and gvector. Names are found in the scope of the caller. Everything else is handed on.
+/// Where a condition is not understood, no branch is evaluated.
 class SchemeEvaluator {
  public:
   using Values = std::vector<SchemeValue>;
@@ -66,12 +68,22 @@ class SchemeEvaluator {
     const SchemeForm* form;
   };
 
+  /// A loop that is under way.
+  struct Loop {
+    std::set<const SchemeForm*> tails;  ///< calls that go on with it
+    std::optional<Values> next;         ///< what the last of them said
+  };
+
   SchemeValue fail(const SchemeForm& form, const std::string& what);
   SchemeValue look_up(const std::string& name);
   SchemeValue list_value(const SchemeForm& form);
   SchemeValue define(const SchemeForm& form);
   SchemeValue let(const SchemeForm& form, bool in_order);
+  SchemeValue loop(const SchemeForm& form);
   SchemeValue cond(const SchemeForm& form);
+  std::optional<bool> condition(const SchemeForm& form);
+  static void add_tails(const SchemeForm& form, const std::string& name,
+                        std::set<const SchemeForm*>& tails);
   SchemeValue body(const SchemeForm& form, std::size_t first);
   SchemeValue call(const Function& function, const SchemeForm& form);
   std::optional<SchemeValue> special(const SchemeForm& form);
@@ -82,6 +94,7 @@ class SchemeEvaluator {
   Command command_;
   std::vector<std::map<std::string, SchemeValue>> scopes_;
   std::map<std::string, Function> functions_;
+  std::vector<Loop> loops_;
   std::string unknown_;
   std::optional<Error> error_;
   std::size_t steps_ = 0;

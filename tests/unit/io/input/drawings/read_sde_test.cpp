@@ -93,7 +93,7 @@ TEST(ReadSde, ContactsEndAtCornersAndCrossings) {
 }
 
 TEST(ReadSde, WhatIsNotUnderstoodIsNamed) {
-  const Input input = read(std::string("#if @x@ == 1\n") + kBody + R"(#endif
+  const Input input = read(std::string("#if @x@ == 1\n#endif\n#set x 1\n#set y 2\n") + kBody + R"(
 (sdegeo:create-rectangle (position 0 0 0) (position Width 2 0) "Silicon" "R")
 (sdegeo:fillet-2d (find-vertex-id (position 0 0 0)) 0.5)
 (sdegeo:fillet-2d (find-vertex-id (position 4 0 0)) 0.5)
@@ -105,11 +105,89 @@ TEST(ReadSde, WhatIsNotUnderstoodIsNamed) {
   EXPECT_EQ(input.polygons.size(), 1U);
   ASSERT_EQ(input.warnings.size(), 2U);
   EXPECT_EQ(input.warnings[0],
-            "not understood and left out: Width (line 4), a line of the preprocessor (line 1, 2 "
-            "times), sdegeo:create-cuboid (line 7), sdegeo:create-rectangle (line 4), "
-            "sdegeo:fillet-2d (line 5, 2 times), sdegeo:set-default-boolean \"XX\" (line 8)");
+            "not understood and left out: Width (line 7), a line of the preprocessor (line 3, 2 "
+            "times), all between a condition of the preprocessor and its #endif (line 1), "
+            "sdegeo:create-cuboid (line 10), sdegeo:create-rectangle (line 7), sdegeo:fillet-2d "
+            "(line 8, 2 times), sdegeo:set-default-boolean \"XX\" (line 11)");
   EXPECT_EQ(input.warnings[1],
-            "commands of doping and meshing are left out: sde (line 11), sdedr (line 9, 2 times)");
+            "commands of doping and meshing are left out: sde (line 14), sdedr (line 12, 2 times)");
+}
+
+std::string pillar(const char* name) {
+  return std::string("(sdegeo:create-rectangle (position 0 2 0) (position 1 2.5 0) \"W\" \"") +
+         name + "\")";
+}
+
+/// The names of all regions but the body, one after the other.
+std::string built(const std::string& text, std::string* warning = nullptr) {
+  const Input input = read(kBody + text);
+  std::string names;
+  for (std::size_t k = 1; k < input.polygons.size(); ++k) names += input.polygons[k].region;
+  if (warning != nullptr) *warning = input.warnings.empty() ? "" : input.warnings[0];
+  return names;
+}
+
+TEST(ReadSde, ConditionsOfTextsAndNumbers) {
+  const std::string a = pillar("a"), b = pillar("b");
+  std::string warning;
+  const auto branch = [&](const std::string& test) {
+    return built("(define mode \"fin\")(define n 3)(if " + test + " " + a + " " + b + ")",
+                 &warning);
+  };
+  for (const char* test : {"(equal? mode \"fin\")", "(string=? mode \"fin\")", "(eq? n 3)",
+                           "(odd? n)", "(not (even? n))", "(and (positive? n) (not (zero? n)))",
+                           "(equal? (list 1 mode) (list 1 \"fin\"))"}) {
+    EXPECT_EQ(branch(test), "a") << test;
+    EXPECT_EQ(branch("(not " + std::string(test) + ")"), "b") << test;
+    EXPECT_EQ(warning, "") << test;
+  }
+}
+
+/// Neither branch is built: which one is meant, nobody knows.
+TEST(ReadSde, WhatHangsOnUnknownConditionsIsLeftOut) {
+  const std::string a = pillar("a"), b = pillar("b");
+  std::string warning;
+  for (const std::string& text :
+       {"(if (of-old? 1) " + a + " " + b + ")", "(if (not (of-old? 1)) " + a + " " + b + ")",
+        "(cond ((of-old? 1) " + a + ") (else " + b + "))", "(when (of-old? 1) " + a + ")",
+        "(unless (and #t (of-old? 1)) " + a + ")",
+        "(if (equal? (of-old? 1) 1) " + a + " " + b + ")"}) {
+    EXPECT_EQ(built(text, &warning), "") << text;
+    EXPECT_EQ(warning, "not understood and left out: of-old? (line 2)") << text;
+  }
+  EXPECT_EQ(built("(if (begin) " + a + ")", &warning), "");
+  EXPECT_EQ(warning, "not understood and left out: a condition (line 2)");
+}
+
+TEST(ReadSde, ConditionsOfThePreprocessor) {
+  const std::string a = pillar("a") + "\n", b = pillar("b") + "\n", c = pillar("c") + "\n";
+  std::string warning;
+  EXPECT_EQ(built("#if 0\n" + a + "#else\n" + b + "#endif\n" + c, &warning), "bc");
+  EXPECT_EQ(warning, "");
+  EXPECT_EQ(built("#if 1\n" + a + "  #if 0\n" + b + "#endif\n#else\n(\n#endif\n" + c), "ac");
+  EXPECT_EQ(built("#if 0\n" + a + "#elif 1\n" + b + "#else\n" + c + "#endif\n"), "b");
+  EXPECT_EQ(built("#if @type@ == 1\n" + a + "#else\n" + b + "#endif\n" + c, &warning), "c");
+  EXPECT_EQ(warning,
+            "not understood and left out: all between a condition of the preprocessor and its "
+            "#endif (line 2)");
+  EXPECT_EQ(refusal(std::string(kBody) + "#if 0\n" + a),
+            "a.cmd:2: this condition of the preprocessor has no #endif");
+}
+
+TEST(ReadSde, LoopsByLetWithAName) {
+  const std::string step = pillar("p");
+  EXPECT_EQ(built("(let loop ((i 0)) (if (< i 200) (begin " + step + " (loop (+ i 1)))))").size(),
+            200U);
+  EXPECT_EQ(built("(let out ((i 0)) (cond ((< i 3) (let in ((j 0)) (if (< j i) (begin " + step +
+                  " (in (+ j 1))) (out (+ i 1)))))))"),
+            "ppp");
+  std::string warning;
+  EXPECT_EQ(built("(let loop ((i 0)) (if (< i 3) (begin (loop (+ i 1)) " + step + ")))", &warning),
+            "p");  // no loop of this kind: the call is not its last
+  EXPECT_EQ(warning, "not understood and left out: loop (line 2)");
+  EXPECT_EQ(built("(define x)", &warning), "");
+  EXPECT_EQ(warning, "not understood and left out: define (line 2)");
+  EXPECT_NE(refusal("(let loop () (loop))").find("too many steps"), std::string::npos);
 }
 
 TEST(ReadSde, Mistakes) {
