@@ -71,7 +71,8 @@ std::vector<std::string> unmet_requirements(const Output& output, const Options&
     return judged_nu(r.quality).in_radians() <
            options.max_angle.supplement().in_radians() - kAngleMet;
   });
-  add(require.delaunay, "delaunay (no inner edge fails the empty-circle test by more than rounding)",
+  add(require.delaunay,
+      "delaunay (no inner edge fails the empty-circle test by more than rounding)",
       [](const RegionReport& r) { return r.box.non_delaunay_edges > 0; });
   add(require.non_obtuse, "non-obtuse (no triangle above 90 degrees)",
       [](const RegionReport& r) { return r.quality.obtuse > 0; });
