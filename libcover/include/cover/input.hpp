@@ -80,7 +80,7 @@ struct Input {
   double scale = 1;                   ///< what the file's coordinates were multiplied by
   std::vector<std::string> warnings;  ///< what the reader left out; they go into the report
   std::vector<Point> points;
-  std::vector<long> point_ids;     ///< as the file numbers them; empty: index
+  std::vector<long> point_ids;     ///< by point, as the file numbers them; empty: index
   std::vector<int> point_lines;    ///< lines of the file; empty: unknown
   std::vector<int> point_markers;  ///< empty: none
   std::vector<InputSegment> segments;

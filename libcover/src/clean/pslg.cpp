@@ -19,6 +19,7 @@
 #include "base/faults/complaint.hpp"
 #include "base/faults/machine_memory.hpp"
 #include "clean/change_report.hpp"
+#include "clean/check_input.hpp"
 #include "clean/check_pslg.hpp"
 #include "clean/ends/loose_ends.hpp"
 #include "clean/ends/weld.hpp"
@@ -191,13 +192,18 @@ bool is_empty(const Input& input) {
   return input.segments.empty() && input.polygons.empty() && input.lines.empty();
 }
 
+/// What messages call it: programs that fill an input need not say.
+std::string name_of(const Input& input) {
+  return input.source.empty() ? std::string("the input") : input.source;
+}
+
 /// The error where many lines are one but for rounding.
 Error crowd(const Input& input, const Options& options, Point where) {
   const bool is_welded = weld_of(input, options) > 0;
   return {ErrorCode::coordinate_out_of_range,
           fmt::format("{}: near {} so many lines lie within rounding of each other that their "
                       "pieces cannot be told apart; {}",
-                      input.source, describe(where),
+                      name_of(input), describe(where),
                       is_welded ? "a larger --weld unites ends that are farther apart"
                                 : "--weld auto unites ends that miss each other by rounding"),
           {where},
@@ -216,7 +222,7 @@ Result<Pslg> clean_up_unless_endless(const Input& input, const Options& options,
         fmt::format("{}: near {} lines lie so close together that their crossings, rounded "
                     "to doubles, make further ones without an end in sight; move the "
                     "drawing away from 0, or draw there what can be told apart",
-                    input.source, describe(cascade.where())),
+                    name_of(input), describe(cascade.where())),
         {cascade.where()},
         {}};
   } catch (const TooManyCrossings& crossings) {
@@ -225,7 +231,7 @@ Result<Pslg> clean_up_unless_endless(const Input& input, const Options& options,
         fmt::format("{}: the lines cross each other at more than {:.2g} places, which takes more "
                     "than {:.3g} GB of memory, and there are {:.3g}; leave out what is drawn on "
                     "top of itself, or take a part of the drawing",
-                    input.source, crossings.at_least(),
+                    name_of(input), crossings.at_least(),
                     crossings.at_least() * kBytesPerCrossing / kGigabyte,
                     machine_memory() / kGigabyte),
         {},
@@ -237,11 +243,12 @@ Result<Pslg> clean_up_unless_endless(const Input& input, const Options& options,
 
 Result<Pslg> make_pslg(const Input& input, const Options& options, Report& report,
                        std::optional<Triangulation>* whole, const Team& team) {
+  if (auto error = find_contradiction(input)) return *error;
   if (auto error = find_unusable(input)) return *error;
   if (auto error = find_bad_arcs(input)) return *error;
   if (is_empty(input) && !options.hull) {
     return Error{ErrorCode::no_segments,
-                 fmt::format("{}: there are no segments and no polygons{}{}", input.source,
+                 fmt::format("{}: there are no segments and no polygons{}{}", name_of(input),
                              input.warnings.empty() ? "" : "; ", listed(input.warnings)),
                  {},
                  {}};
@@ -280,7 +287,7 @@ Result<Pslg> make_pslg(const Input& input, const Options& options, Report& repor
   if (!pslg) return pslg;
   if (!input.polygons.empty() && !has_region(*pslg)) {
     return Error{ErrorCode::nothing_enclosed,
-                 fmt::format("{}: no polygon covers anything{}", input.source, why(report)),
+                 fmt::format("{}: no polygon covers anything{}", name_of(input), why(report)),
                  {},
                  {}};
   }
