@@ -41,7 +41,7 @@ struct PictureOptions {
   std::optional<std::array<double, 2>> range;  ///< values at both ends of the colours; none: found
   std::optional<Window> window;                ///< part of the mesh shown; none: all of it
   int worst = 3;                               ///< so many of the largest angles are marked
-  std::string id = "plot";                     ///< differs between the SVGs of one page
+  std::string id = "plot";                     ///< a name in XML; the SVGs of one page differ in it
   bool edges = true;                           ///< draw all edges, thin
 };
 
@@ -50,14 +50,17 @@ PictureMesh picture_of(const Output& output, int order = 1);
 
 /// Draws as SVG.
 ///
-/// Errors: bad_option (unknown array, empty window), cannot_write
+/// Errors: bad_option (unknown array, empty window, an id that is no name in XML); id_out_of_range
+///         for triangles, lines and vertices without their points, and for arrays that are not as
+///         long as the triangles or points; cannot_write
 Status write_svg(const PictureMesh& mesh, const PictureOptions& options, const std::string& path);
 
 /// The SVG document as text, to be put into a page.
+/// Errors: as write_svg
 Result<std::string> svg_text(const PictureMesh& mesh, const PictureOptions& options);
 
 /// Draws as PNG (target cover::vtk).
-/// Errors: as write_svg
+/// Errors: as write_svg, but for the id
 Status write_png(const PictureMesh& mesh, const PictureOptions& options, const std::string& path);
 
 }  // namespace cover

@@ -19,6 +19,7 @@
 #include "geom/box.hpp"
 #include "geom/topology/bent_edges.hpp"
 #include "geom/vector.hpp"
+#include "picture/parts/check_picture.hpp"
 #include "picture/parts/labels.hpp"
 #include "picture/parts/legend.hpp"
 #include "picture/parts/mesh_lines.hpp"
@@ -61,6 +62,8 @@ class Composer {
       : mesh_(mesh), soup_(mesh.mesh.soup), options_(options) {}
 
   Result<Drawing> run() {
+    if (Status status = check_picture(mesh_, options_.color); !status)
+      return std::move(status).error();
     const Window window = options_.window ? *options_.window : window_of_all();
     if (!(window.low.x < window.high.x) || !(window.low.y < window.high.y)) {
       return bad_option("the window of the picture is empty");

@@ -10,7 +10,7 @@ namespace cover {
 
 /// Lays out the picture: title, mesh with interfaces and contacts, marks, scale bar, legend.
 ///
-/// Errors: bad_option
+/// Errors: bad_option, id_out_of_range
 Result<Drawing> compose(const PictureMesh& mesh, const PictureOptions& options);
 
 }  // namespace cover

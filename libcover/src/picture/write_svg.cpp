@@ -1,13 +1,17 @@
 // A drawing as SVG: one path per colour, so that no seams show between triangles of one region.
 // Tested by tests/unit/picture/picture_test.cpp.
+#include <algorithm>
 #include <string>
+#include <string_view>
 
 #include <fmt/core.h>
 
 #include <cover/picture.hpp>
 #include <cover/text.hpp>
 
+#include "base/faults/errors.hpp"
 #include "base/faults/out_of_memory.hpp"
+#include "base/words/characters.hpp"
 #include "io/files/atomic_file.hpp"
 #include "picture/compose.hpp"
 
@@ -73,10 +77,28 @@ class SvgWriter {
   std::string clip_;
 };
 
+/// Whether the text can be the id of an element, and stand in a url(#...). Bytes of letters that
+/// are not in ASCII are taken as they are.
+bool is_xml_name(std::string_view text) {
+  const auto is_letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
+           static_cast<unsigned char>(c) >= 0x80;
+  };
+  return !text.empty() && is_letter(text.front()) &&
+         std::all_of(text.begin(), text.end(), [&](char c) {
+           return is_letter(c) || is_digit(c) || c == '-' || c == '.' || c == ':';
+         });
+}
+
 }  // namespace
 
 Result<std::string> svg_text(const PictureMesh& mesh, const PictureOptions& options) {
   return memory_as_value("picture", [&]() -> Result<std::string> {
+    if (!is_xml_name(options.id))
+      return bad_option(
+          fmt::format("the id of a picture must be a name in XML: a letter or _, then "
+                      "letters, digits, and _ - . :, not '{}'",
+                      options.id));
     Result<Drawing> composed = compose(mesh, options);
     if (!composed) return std::move(composed).error();
     const Drawing& drawing = *composed;

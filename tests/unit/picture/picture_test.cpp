@@ -241,5 +241,54 @@ TEST(Picture, PngHasTheSizeOfTheDrawing) {
   EXPECT_EQ(number(20), drawing->height);
 }
 
+TEST(Picture, RefusesWhatIsNotThere) {
+  const auto refusal = [](auto change) {
+    PictureMesh mesh = two_squares();
+    PictureOptions options;
+    change(mesh, options);
+    const auto svg = svg_text(mesh, options);
+    return svg ? std::string() : svg.error().message;
+  };
+  using Mesh = PictureMesh;
+  using Opt = PictureOptions;
+  EXPECT_EQ(refusal([](Mesh& m, Opt&) { m.mesh.soup.triangles[1][2] = 6; }),
+            "triangle 1 has a point that is not there");
+  EXPECT_EQ(refusal([](Mesh& m, Opt&) { m.lines[0].edges[0][1] = 99; }),
+            "the line 'anode' has a point that is not there");
+  EXPECT_EQ(refusal([](Mesh& m, Opt&) {
+              m.periodic = {{0, 6}};
+            }),
+            "a vertex on a periodic side is not there");
+  EXPECT_EQ(refusal([](Mesh& m, Opt& o) {
+              m.mesh.arrays[0].values.pop_back();
+              o.color = "load";
+            }),
+            "the array 'load' has 3 values for 4 triangles");
+  EXPECT_EQ(refusal([](Mesh& m, Opt& o) {
+              m.mesh.point_arrays = {{"doping", {1, 2}}};
+              o.color = "doping";
+            }),
+            "the array 'doping' has 2 values for 6 points");
+  EXPECT_NE(refusal([](Mesh& m, Opt&) { m.mesh.soup.region.pop_back(); }), "");
+  EXPECT_NE(refusal([](Mesh& m, Opt&) { m.mesh.soup.material.pop_back(); }), "");
+  EXPECT_NE(refusal([](Mesh& m, Opt&) { m.mesh.middles.resize(1); }), "");
+  EXPECT_EQ(refusal([](Mesh&, Opt& o) { o.color = "load"; }), "");
+}
+
+TEST(Picture, IdsAreNamesInXml) {
+  for (const char* id : {"", "1", "a b", "a\"><script>", "a)", "-a"}) {
+    PictureOptions options;
+    options.id = id;
+    const auto svg = svg_text(two_squares(), options);
+    ASSERT_FALSE(svg) << id;
+    EXPECT_EQ(svg.error().code, ErrorCode::bad_option);
+  }
+  for (const char* id : {"plot", "close-up-3", "_a.b:c", "gr\u00f6\u00dfe"}) {
+    PictureOptions options;
+    options.id = id;
+    EXPECT_TRUE(svg_text(two_squares(), options)) << id;
+  }
+}
+
 }  // namespace
 }  // namespace cover

@@ -1,0 +1,69 @@
+// Tested by tests/unit/picture/picture_test.cpp.
+#include "picture/parts/check_picture.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+#include <fmt/core.h>
+
+namespace cover {
+namespace {
+
+Error out_of_range(std::string message) {
+  return {ErrorCode::id_out_of_range, std::move(message), {}, {}};
+}
+
+/// Whether an array that may be left out has a value for each of `things`.
+Status check_size(const std::string& what, std::size_t size, std::size_t things, const char* of) {
+  if (size == 0 || size == things) return ok();
+  return out_of_range(fmt::format("{} has {} values for {} {}", what, size, things, of));
+}
+
+Status check_indices(const PictureMesh& mesh) {
+  const TriangleSoup& soup = mesh.mesh.soup;
+  const std::size_t n = soup.points.size();
+  const auto is_missing = [n](std::uint32_t v) { return v >= n; };
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    if (std::any_of(soup.triangles[t].begin(), soup.triangles[t].end(), is_missing))
+      return out_of_range(fmt::format("triangle {} has a point that is not there", t));
+  }
+  for (const PictureLine& line : mesh.lines) {
+    for (const auto& edge : line.edges) {
+      if (std::any_of(edge.begin(), edge.end(), is_missing))
+        return out_of_range(fmt::format("the line '{}' has a point that is not there", line.name));
+    }
+  }
+  for (const std::vector<std::uint32_t>& vertices : mesh.periodic) {
+    if (std::any_of(vertices.begin(), vertices.end(), is_missing))
+      return out_of_range("a vertex on a periodic side is not there");
+  }
+  return ok();
+}
+
+}  // namespace
+
+Status check_picture(const PictureMesh& mesh, const std::string& color) {
+  const TriangleSoup& soup = mesh.mesh.soup;
+  const std::size_t points = soup.points.size(), triangles = soup.triangles.size();
+  if (Status status = check_indices(mesh); !status) return status;
+  Status status = check_size("the array of regions", soup.region.size(), triangles, "triangles");
+  if (status)
+    status = check_size("the array of materials", soup.material.size(), triangles, "triangles");
+  if (status)
+    status =
+        check_size("the array of middle nodes", mesh.mesh.middles.size(), triangles, "triangles");
+  for (const CellArray& array : mesh.mesh.arrays) {
+    if (!status || array.name != color || array.values.size() == triangles) continue;
+    status = out_of_range(fmt::format("the array '{}' has {} values for {} triangles", array.name,
+                                      array.values.size(), triangles));
+  }
+  for (const PlaneField::Array& array : mesh.mesh.point_arrays) {
+    if (!status || array.name != color || array.values.size() == points) continue;
+    status = out_of_range(fmt::format("the array '{}' has {} values for {} points", array.name,
+                                      array.values.size(), points));
+  }
+  return status;
+}
+
+}  // namespace cover
