@@ -23,7 +23,7 @@ struct Estimate {
 /// method; triangles are right up to a third where sizes are wished that segments allow, else up to
 /// a factor of two, of disks up to one of ten.
 ///
-/// Errors: those of sizes (bad_option)
+/// Errors: those of check_options() and of sizes (bad_option)
 /// Cost:   O(n log n)
 Result<Estimate> estimate(const Prepared& prepared, const Options& options = {});
 

@@ -20,8 +20,8 @@ namespace cover {
 ///         What it holds is looked at by size_function().
 Result<SizeSamples> read_size_field(const std::string& path);
 
-/// Reads what sizes shall follow from the same files: `of` is the name of a function of Expression,
-/// of the only array, or an expression of the arrays' names, x and y. Edges of the sizes made
+/// Reads what sizes shall follow from the same files: `of` is as Options::size_of: the name
+/// of a function, of the only array, or an expression of the arrays' names, x and y. Edges of the sizes made
 /// change it by at most `step`: the size at a point is step over the steepest slope in the
 /// triangles around it, less what edges of a mesh may be longer than asked. Where it is no number
 /// nothing is asked.
@@ -34,7 +34,7 @@ Result<SizeSamples> read_size_field(const std::string& path, const std::string& 
 /// Makes Options::size_field of the file that Options::size_field_name names, scaled by
 /// Options::size_field_scale. Does nothing where there is no name, or the function already.
 ///
-/// Errors: those of read_size_field() and size_function()
+/// Errors: those of check_options(), read_size_field() and size_function()
 Status load_size_field(Options& options);
 
 /// The same for that input. If it was read from the same file, its scale is that of the sizes, too

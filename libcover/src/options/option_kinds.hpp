@@ -157,6 +157,13 @@ constexpr auto word(OptionOf<TargetOf<Member>> row) {
   row.get = [](const Row& self, const TargetOf<Member>& target) {
     return std::vector{std::string(self.words()[static_cast<std::size_t>(target.*Member)])};
   };
+  row.check = [](const Row& self, const TargetOf<Member>& target) -> Status {
+    const auto value = static_cast<std::underlying_type_t<ValueOf<Member>>>(target.*Member);
+    const std::vector<std::string> words(self.words().begin(), self.words().end());
+    if (value >= 0 && static_cast<std::size_t>(value) < words.size()) return ok();
+    return bad_option(fmt::format("{} is number {}, which is none of {}", keyword_of(self), value,
+                                  listed(words)));
+  };
   return row;
 }
 

@@ -576,6 +576,9 @@ Status check_options(const Options& options) {
   if (!options.layers.empty() && options.hull)
     return bad_option(
         "layers lie along lines of the input, and sides of a hull are none: not with hull");
+  if (!ranges::kScale.holds(options.size_field_scale))
+    return bad_option(fmt::format("size_field_scale is {}, but must be {}",
+                                  describe(options.size_field_scale), describe(ranges::kScale)));
   return option_kinds::check_all<Options>(kTable, options);
 }
 

@@ -1,5 +1,6 @@
 // Tested by tests/unit/cuts/boxes/cut_encroached_test.cpp.
 #include <cover/cover_mesh.hpp>
+#include <cover/option_table.hpp>
 
 #include "base/faults/out_of_memory.hpp"
 #include "box/forced_cuts.hpp"
@@ -69,7 +70,10 @@ Result<BoxCosts> count_costs(const Prepared& prepared, const Options& options,
 
 Result<BoxCosts> box_costs(const Prepared& prepared, const Options& options,
                            const Callbacks& callbacks) {
-  return memory_as_value("box method", [&] { return count_costs(prepared, options, callbacks); });
+  return memory_as_value("box method", [&]() -> Result<BoxCosts> {
+    if (Status status = check_options(options); !status) return std::move(status).error();
+    return count_costs(prepared, options, callbacks);
+  });
 }
 
 }  // namespace cover

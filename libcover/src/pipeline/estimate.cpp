@@ -1,5 +1,6 @@
 // Tested by tests/unit/pipeline/estimate_test.cpp.
 #include <cover/estimate.hpp>
+#include <cover/option_table.hpp>
 
 #include "base/faults/machine_memory.hpp"
 #include "region/region_graph.hpp"
@@ -40,7 +41,10 @@ Result<Estimate> add_up(const Prepared& prepared, const Options& options) {
 }  // namespace
 
 Result<Estimate> estimate(const Prepared& prepared, const Options& options) {
-  return errors_as_values("estimate", [&] { return add_up(prepared, options); });
+  return errors_as_values("estimate", [&]() -> Result<Estimate> {
+    if (Status status = check_options(options); !status) return std::move(status).error();
+    return add_up(prepared, options);
+  });
 }
 
 }  // namespace cover

@@ -220,5 +220,31 @@ TEST(CheckOptions, BackgroundSizesMustHaveBeenRead) {
   EXPECT_TRUE(check_options(options));
 }
 
+TEST(CheckOptions, RefusesNumbersThatAreNoWords) {
+  const auto refusal = [](auto change) {
+    Options options;
+    change(options);
+    const Status status = check_options(options);
+    return status ? std::string() : status.error().message;
+  };
+  EXPECT_EQ(refusal([](Options& o) { o.method = static_cast<Method>(77); }),
+            "method is number 77, which is none of quality, almond, nonobtuse");
+  EXPECT_NE(refusal([](Options& o) { o.fill = static_cast<Fill>(-1); }), "");
+  EXPECT_NE(refusal([](Options& o) { o.prefer = static_cast<Prefer>(2); }), "");
+  EXPECT_NE(refusal([](Options& o) { o.effort = static_cast<Effort>(77); }), "");
+  EXPECT_NE(refusal([](Options& o) { o.couplings = static_cast<Couplings>(3); }), "");
+  EXPECT_NE(refusal([](Options& o) { o.overlap = static_cast<Overlap>(3); }), "");
+}
+
+TEST(CheckOptions, TheScaleOfSizeFieldsIsAboveZero) {
+  for (const double scale : {0.0, -1.0, std::nan("")}) {
+    Options options;
+    options.size_field_scale = scale;
+    ASSERT_FALSE(check_options(options));
+    EXPECT_NE(check_options(options).error().message.find("size_field_scale is"),
+              std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace cover

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <cover/cover_mesh.hpp>
 
 #include "support/inputs/inputs.hpp"
@@ -84,6 +86,19 @@ TEST(Estimate, WhatDoesNotFitIsRefusedBeforeTheRun) {
   EXPECT_EQ(refused.error().code, ErrorCode::out_of_memory);
   EXPECT_NE(refused.error().message.find("GB of memory"), std::string::npos)
       << refused.error().message;
+}
+
+TEST(Estimate, RefusesOptionsThatAreNotLegal) {
+  const Prepared prepared = prepare(testing::input_of({{0, 0}, {1, 0}, {1, 1}, {0, 1}})).value();
+  for (const double growth : {1.0, -1.0, std::nan("")}) {
+    Options options;
+    options.sizes = {{"", 0.1, false}};
+    options.growth = growth;
+    const Result<Estimate> estimated = estimate(prepared, options);
+    ASSERT_FALSE(estimated);
+    EXPECT_EQ(estimated.error().code, ErrorCode::bad_option);
+    EXPECT_FALSE(box_costs(prepared, options));
+  }
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Of several triangles that contain a place, all that share an edge, the first counts, so that the
 // result does not depend on the tree.
 // Tested by tests/unit/sizes/fields/size_function_test.cpp.
+#include <cover/option_ranges.hpp>
 #include <cover/size_function.hpp>
 #include <cover/text.hpp>
 
@@ -94,6 +95,9 @@ Status check(const SizeSamples& samples) {
 
 Result<SizeFunction> size_function(const SizeSamples& samples, double growth) {
   return memory_as_value("size function", [&]() -> Result<SizeFunction> {
+    if (!ranges::kGrowth.holds(growth))
+      return wrong(ErrorCode::bad_option, fmt::format("growth is {}, but must be {}",
+                                                      describe(growth), describe(ranges::kGrowth)));
     if (Status status = check(samples); !status) return std::move(status).error();
     const auto sizes = std::make_shared<const Interpolation>(samples, growth);
     return SizeFunction([sizes](Point p) { return sizes->at(p); });

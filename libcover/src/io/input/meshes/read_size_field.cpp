@@ -9,11 +9,13 @@
 
 #include <fmt/core.h>
 
+#include <cover/option_table.hpp>
 #include <cover/text.hpp>
 
 #include "base/expression.hpp"
 #include "base/faults/errors.hpp"
 #include "base/faults/out_of_memory.hpp"
+#include "base/numbers.hpp"
 #include "geom/box.hpp"
 #include "geom/vector.hpp"
 #include "io/input/meshes/plane_fields.hpp"
@@ -113,6 +115,12 @@ bool is_one_file(const std::string& a, const std::string& b) {
   return std::filesystem::equivalent(a, b, ignored);
 }
 
+/// Whether all options are legal once the file is read.
+Status check_but_for_file(Options options) {
+  options.size_field = [](Point) { return kNoNumber; };
+  return check_options(options);
+}
+
 void scale(SizeSamples& samples, double factor) {
   if (factor == 1) return;
   for (Point& p : samples.points) p = {p.x * factor, p.y * factor};
@@ -162,6 +170,7 @@ Status load_size_field(Options& options) {
 Status load_size_field(Options& options, Input& input) {
   return memory_as_value(options.size_field_name, [&]() -> Status {
     if (options.size_field || options.size_field_name.empty()) return ok();
+    if (Status status = check_but_for_file(options); !status) return status;
     const std::string& path = options.size_field_name;
     Result<SizeSamples> samples = options.size_of.empty()
                                       ? read_size_field(path)

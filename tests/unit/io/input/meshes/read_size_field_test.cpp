@@ -158,5 +158,28 @@ TEST(ReadSizeField, WhatChangesIsResolved) {
       << several.error().message;
 }
 
+/// Such a growth once kept sizes from ever being spread.
+TEST(LoadSizeField, RefusesOptionsThatAreNotLegal) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("h.vtk", legacy(scalars("h", "1 2 3 4 5")));
+  const auto refusal = [&](auto change) {
+    Options options;
+    options.size_field_name = path;
+    change(options);
+    const Status status = load_size_field(options);
+    if (status) return std::string();
+    EXPECT_EQ(status.error().code, ErrorCode::bad_option);
+    return status.error().message;
+  };
+  EXPECT_EQ(refusal([](Options&) {}), "");
+  for (const double value : {1.0, 0.5, -1.0, std::nan("")}) {
+    EXPECT_NE(refusal([&](Options& o) { o.growth = value; }).find("growth is"), std::string::npos);
+    EXPECT_FALSE(size_function(SizeSamples{{{0, 0}}, {}, {1}}, value));
+  }
+  for (const double value : {0.0, -1.0, std::nan("")})
+    EXPECT_NE(refusal([&](Options& o) { o.size_field_scale = value; }).find("size_field_scale is"),
+              std::string::npos);
+}
+
 }  // namespace
 }  // namespace cover
