@@ -60,9 +60,10 @@ Result<StreamedOutput> stream_mesh(Input&& input, const Options& options,
 
 /// Writes the file that write_mesh() writes of the same mesh in memory, byte for byte.
 ///
-/// REQUIRES: output.is_streamed(), and needs_whole_mesh(path, options) is empty
-/// Errors:   bad_option where regions are elsewhere and cannot be written from there;
-///           cannot_write, also where the disk has no room for the file; cancelled
+/// Errors: those of can_write(); bad_option unless output.is_streamed() and
+///         needs_whole_mesh(path, options) is empty, and where regions are elsewhere and cannot be
+///         written from there; cannot_write, also where the disk has no room for the file;
+///         cancelled
 Status write_streamed_mesh(const StreamedOutput& output, const std::string& path,
                            const WriteOptions& options = {});
 

@@ -55,6 +55,9 @@ std::vector<std::string> companions_of(const std::string& path);
 /// that the caller writes.
 Error unknown_output_format(const std::string& path, std::span<const std::string> known);
 
+// The writers of single formats ask what can_write() asks of theirs, whatever the extension of
+// `path` is: that is their bad_option.
+
 /// Writes VTK's XML unstructured grid: triangles only, float64 points, raw appended data; cell
 /// arrays material (first, for MFEM), MaterialID, mat_id, RegionId (Int32), max_angle and min_angle
 /// in degrees; then RegionTable::attributes by their names, numbers as Float64, text as Int32,
@@ -62,7 +65,7 @@ Error unknown_output_format(const std::string& path, std::span<const std::string
 /// a number behind it. Where the run put vertices on segments, field data CutVertices is their
 /// number.
 ///
-/// Errors: cannot_write, cancelled
+/// Errors: bad_option, cannot_write, cancelled
 Status write_vtu(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes VTK's format in HDF5 (VTKHDF 1.0, an unstructured grid of one piece): the triangles and
@@ -70,7 +73,7 @@ Status write_vtu(const Output& output, const std::string& path, const WriteOptio
 /// edges of all lines, the words of attributes X as X_names, and where the mesh comes from. So one
 /// file holds all that read_output() wants.
 ///
-/// Errors: cannot_write, cancelled
+/// Errors: bad_option, cannot_write, cancelled
 Status write_vtkhdf(const Output& output, const std::string& path,
                     const WriteOptions& options = {});
 
@@ -81,7 +84,7 @@ Status write_vtkhdf(const Output& output, const std::string& path,
 /// Regions stay in one part where they have not too many triangles. The pieces of X.pvtu are
 /// X.parts/X.parts_K_HASH.vtu, and are replaced as those of write_vtm().
 ///
-/// Errors: cannot_write, cancelled
+/// Errors: bad_option, cannot_write, cancelled
 Status write_pvtu(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes a multi-block file with a named .vtu per group of regions and per group of lines beside
@@ -91,13 +94,14 @@ Status write_pvtu(const Output& output, const std::string& path, const WriteOpti
 /// the mesh comes from, stand in the .vtm behind the blocks. The pieces of X.vtm are
 /// X/X_K_HASH.vtu, with the hash of their content; those of an X.vtm that is replaced are removed.
 ///
-/// Errors: cannot_write, cancelled
+/// Errors: bad_option, cannot_write, cancelled
 Status write_vtm(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes the clean PSLG as Triangle's .poly, 17 digits, with region and hole seeds.
 ///
-/// Errors: cannot_write
-Status write_poly(const Pslg& pslg, const RegionTable& table, const std::string& path);
+/// Errors: cannot_write, cancelled
+Status write_poly(const Pslg& pslg, const RegionTable& table, const std::string& path,
+                  const WriteOptions& options = {});
 
 /// The report as JSON text.
 std::string report_json(const Output& output);
@@ -114,13 +118,14 @@ Status write_report_json(const Output& output, const std::string& path);
 // .msh and with WriteOptions::ids, of regions are those of the physical groups in the manifest.
 // Names in .msh and .xdmf are in UTF-8, with `_` for control characters and double quotes; in .vtk,
 // .inp and .obj everything but ASCII letters, digits and `_ . -` is replaced by `_`. All names of a
-// kind are different; the manifest has both, and those as they were. All of them report
-// cannot_write and cancelled.
+// kind are different; the manifest has both, and those as they were.
 
 /// Writes VTK's legacy format, version 3.0: cell arrays MaterialID, material, mat_id, RegionId.
 /// With options.lines: triangles, then lines; MaterialID (on inner lines -1), ManifoldID (the
 /// number of an inner line, else -1), LineID, RegionId. With options.ids, these are in MaterialID
 /// and mat_id, and there is always a `material`. Fields are data of points.
+///
+/// Errors: bad_option, cannot_write, cancelled
 Status write_vtk(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes gmsh's format. Physical groups: regions by name, interfaces by the regions on both sides
@@ -132,22 +137,27 @@ Status write_vtk(const Output& output, const std::string& path, const WriteOptio
 /// elements have the numbers that they have in the file of the whole mesh, and lines between parts
 /// are in both. All files are on the disk before the first of them appears.
 ///
-/// Errors: bad_option for periodic sides in parts
+/// Errors: bad_option, also for periodic sides in parts; cannot_write, cancelled
 Status write_msh(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes XDMF: grids `mesh` (MaterialID, RegionId, GroupID, attributes and fields as write_vtu())
 /// and `lines` (LineID, Marker), with all numbers in the XML, or with options.xdmf `hdf5` in X.h5
 /// beside X.xdmf, for large meshes. With options.ids, GroupID comes first: dolfinx takes that.
+///
+/// Errors: bad_option, cannot_write, cancelled
 Status write_xdmf(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes Medit's format; references are materials, or with options.ids these, and the numbers of
 /// lines.
+///
+/// Errors: bad_option, cannot_write, cancelled
 Status write_medit(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes an Abaqus input deck: an ELSET per region group, an NSET per line group. Coordinates have
 /// at most 20 characters, as Abaqus and CalculiX want it; those that need more are rounded.
 ///
-/// Errors: cannot_write, with places, also where that flattens triangles or turns them over
+/// Errors: bad_option; cannot_write, with places, also where that flattens triangles or turns them
+///         over; cancelled
 Status write_inp(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// How many points write_inp() moves by that; midpoints of second-order edges count.
@@ -159,20 +169,30 @@ std::size_t points_rounded_by_inp(const Output& output, const WriteOptions& opti
 /// if it has any), .ele (attributes material and RegionId; with options.ids these, RegionId,
 /// material) and .edge (lines with the boundary markers of the input; with the numbers of lines if
 /// it has none).
+///
+/// Errors: bad_option, cannot_write, cancelled
 Status write_triangle(const Output& output, const std::string& path,
                       const WriteOptions& options = {});
 
 /// Writes Wavefront's .obj with a group per region group, lines as elements of their own.
+///
+/// Errors: bad_option, cannot_write, cancelled
 Status write_obj(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes Geomview's .off.
+///
+/// Errors: bad_option, cannot_write, cancelled
 Status write_off(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes Stanford's .ply, in text, with face properties material and region.
+///
+/// Errors: bad_option, cannot_write, cancelled
 Status write_ply(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes the manifest: what the mesh files cannot hold. Names as the input has them and as the
 /// files have them, numbers of groups, the edges of every line, counts, quality.
+///
+/// Errors: bad_option, cannot_write, cancelled
 Status write_manifest(const Output& output, const std::string& path,
                       const WriteOptions& options = {});
 

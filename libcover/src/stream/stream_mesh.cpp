@@ -15,6 +15,7 @@
 #include <fmt/core.h>
 
 #include "base/containers/give_back.hpp"
+#include "base/faults/errors.hpp"
 #include "base/faults/internal_fault.hpp"
 #include "base/faults/out_of_memory.hpp"
 #include "io/files/temporary_file.hpp"
@@ -275,10 +276,15 @@ Result<StreamedOutput> stream_mesh(Input&& input, const Options& options,
 Status write_streamed_mesh(const StreamedOutput& output, const std::string& path,
                            const WriteOptions& options) {
   return memory_as_value(path, [&]() -> Status {
+    if (!output.is_streamed())
+      return bad_option(path + ": the mesh is not on the disk; write_mesh() writes one in memory");
+    if (Status status = can_write(path, options); !status) return status;
+    if (const std::string why = needs_whole_mesh(path, options); !why.empty())
+      return bad_option(fmt::format("{}: {} needs the whole mesh in memory", path, why));
     const Output& rest = output.output;
     const SpooledParts& parts = *output.parts;
     if (parts.elsewhere && !can_write_from_elsewhere(path, options))
-      return Error{ErrorCode::bad_option, path + ": some regions are in other processes", {}, {}};
+      return bad_option(path + ": some regions are in other processes");
     decltype(SpooledMesh::elsewhere) elsewhere;
     if (parts.elsewhere)
       elsewhere = [&](const ColumnPlan& plan, const std::function<Status()>& here) {

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 #include <cover/cover_mesh.hpp>
 #include <cover/option_table.hpp>
@@ -160,6 +161,22 @@ TEST(StreamMesh, FailsWhereThereIsNoFolder) {
                                                      {folder.path() / "none" / "x.vtu", 0});
   ASSERT_FALSE(nowhere);
   EXPECT_EQ(nowhere.error().code, ErrorCode::cannot_write);
+}
+
+TEST(StreamMesh, RefusesFilesThatNeedTheWholeMesh) {
+  const testing::TemporaryFolder folder;
+  const Result<StreamedOutput> streamed =
+      stream_mesh(testing::checker(2, 3, 1), {}, {folder.path() / "x", 0});
+  ASSERT_TRUE(streamed);
+  WriteOptions version;
+  version.msh = "9";
+  for (const auto& [output, name, options] :
+       {std::tuple(*streamed, "st.vtm", WriteOptions()), std::tuple(*streamed, "st.msh", version),
+        std::tuple(StreamedOutput(), "st.vtu", WriteOptions())}) {
+    const Status status = write_streamed_mesh(output, folder.path() / name, options);
+    ASSERT_FALSE(status) << name;
+    EXPECT_EQ(status.error().code, ErrorCode::bad_option) << status.error().message;
+  }
 }
 
 }  // namespace

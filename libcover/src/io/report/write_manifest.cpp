@@ -298,6 +298,8 @@ class ManifestWriter {
 }  // namespace
 
 Status write_manifest(const Output& output, const std::string& path, const WriteOptions& options) {
+  // It stands beside a file of another format, whose options these are: parts, too.
+  if (Status status = check_write_options(options); !status) return status;
   WriteOptions all = options;
   all.inner_lines = true;
   const MeshView view = view_of(output, all);

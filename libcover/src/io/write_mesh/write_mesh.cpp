@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <string_view>
 
 #include <cover/files.hpp>
 #include <cover/write_mesh.hpp>
@@ -13,6 +14,7 @@
 
 #include "base/faults/out_of_memory.hpp"
 #include "io/files/temporary_file.hpp"
+#include "io/write_mesh/check_format.hpp"
 #include "io/write_mesh/partition.hpp"
 
 namespace cover {
@@ -35,8 +37,9 @@ struct Format {
   std::array<const char*, 2> companions{};  ///< endings of its other files, always there
 };
 
-Status write_clean_input(const Output& output, const std::string& path, const WriteOptions&) {
-  return write_poly(output.pslg, output.table, path);
+Status write_clean_input(const Output& output, const std::string& path,
+                         const WriteOptions& options) {
+  return write_poly(output.pslg, output.table, path, options);
 }
 
 constexpr std::array kFormats{
@@ -81,12 +84,15 @@ constexpr std::array kFormats{
     Format{.extension = ".poly", .write = write_clean_input},
 };
 
-Result<Format> format_of(const std::string& path) {
-  const std::string extension = extension_of(path);
+const Format* find_format(std::string_view extension) {
   const auto* const found =
       std::find_if(kFormats.begin(), kFormats.end(),
                    [&](const Format& format) { return format.extension == extension; });
-  if (found != kFormats.end()) return *found;
+  return found != kFormats.end() ? found : nullptr;
+}
+
+Result<Format> format_of(const std::string& path) {
+  if (const Format* const found = find_format(extension_of(path))) return *found;
   return unknown_output_format(path, write_formats());
 }
 
@@ -127,7 +133,21 @@ Status check_name(const Format& format, const std::string& path, const WriteOpti
                   printable(path), format.extension));
 }
 
+Status check_for(const Format& format, const std::string& path, const WriteOptions& options) {
+  if (Status status = check_write_options(options); !status) return status;
+  if (options.order == 2 && !format.second_order)
+    return bad(
+        fmt::format("cannot write '{}': {} has no second-order triangles", path, format.extension));
+  if (Status status = check_name(format, path, options); !status) return status;
+  return options.parts == 1 ? ok() : check_parts(format, path, options);
+}
+
 }  // namespace
+
+Status check_format(std::string_view extension, const std::string& path,
+                    const WriteOptions& options) {
+  return check_for(*find_format(extension), path, options);
+}
 
 Error unknown_output_format(const std::string& path, std::span<const std::string> known) {
   const std::string extension = extension_of(path);
@@ -169,13 +189,7 @@ std::vector<std::string> companions_of(const std::string& path) {
 Status can_write(const std::string& path, const WriteOptions& options) {
   return memory_as_value(path, [&]() -> Status {
     const Result<Format> format = format_of(path);
-    if (!format) return format.error();
-    if (Status status = check_write_options(options); !status) return status;
-    if (options.order == 2 && !format->second_order)
-      return bad(fmt::format("cannot write '{}': {} has no second-order triangles", path,
-                             format->extension));
-    if (Status status = check_name(*format, path, options); !status) return status;
-    return options.parts == 1 ? ok() : check_parts(*format, path, options);
+    return format ? check_for(*format, path, options) : Status(format.error());
   });
 }
 

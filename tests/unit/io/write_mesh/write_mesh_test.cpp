@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -88,6 +89,54 @@ TEST(WriteMesh, AFolderThatIsNotThere) {
     const Status status = write_mesh(output, (folder.path() / name).string());
     ASSERT_FALSE(status) << name;
     EXPECT_EQ(status.error().code, ErrorCode::cannot_write);
+  }
+}
+
+/// Whatever the name of the file is.
+TEST(WriteMesh, WritersOfSingleFormatsRefuseWhatItRefuses) {
+  const Output output = testing::odd_device();
+  const testing::TemporaryFolder folder;
+  const std::string path = folder.path() / "x.any";
+  const auto expect_refused = [&](auto write, const WriteOptions& options) {
+    const Status status = write(output, path, options);
+    ASSERT_FALSE(status);
+    EXPECT_EQ(status.error().code, ErrorCode::bad_option) << status.error().message;
+  };
+  WriteOptions parts, many, version, order, element, ids, xdmf;
+  parts.parts = -3;
+  many.parts = 501;
+  many.msh = "4.1";
+  version.msh = "9";
+  order.order = 7;
+  element.inp_element = "X";
+  ids.ids = "q";
+  xdmf.xdmf = "x";
+  expect_refused(write_pvtu, parts);
+  expect_refused(write_msh, many);
+  for (const WriteOptions& options : {parts, version, order, element, ids, xdmf}) {
+    for (const auto write :
+         {write_vtu, write_vtk, write_vtkhdf, write_vtm, write_pvtu, write_msh, write_xdmf,
+          write_medit, write_inp, write_triangle, write_obj, write_off, write_ply, write_manifest})
+      expect_refused(write, options);
+  }
+  WriteOptions beside;  // those of a .msh in parts, for its manifest
+  beside.parts = 3;
+  beside.msh = "4.1";
+  EXPECT_TRUE(write_manifest(output, folder.path() / "x.json", beside));
+}
+
+TEST(WriteMesh, StopsBeforeAnyFile) {
+  const Output output = testing::odd_device();
+  std::stop_source source;
+  source.request_stop();
+  WriteOptions options;
+  options.stop = source.get_token();
+  for (const std::string& extension : write_formats()) {
+    const testing::TemporaryFolder folder;
+    const Status status = write_mesh(output, folder.path() / ("x" + extension), options);
+    ASSERT_FALSE(status) << extension;
+    EXPECT_EQ(status.error().code, ErrorCode::cancelled) << extension;
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << extension;
   }
 }
 

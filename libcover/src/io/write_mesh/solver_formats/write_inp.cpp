@@ -19,6 +19,7 @@
 #include "base/containers/buckets.hpp"
 #include "geom/predicates.hpp"
 #include "io/files/text_writer.hpp"
+#include "io/write_mesh/check_format.hpp"
 
 namespace cover {
 namespace {
@@ -121,6 +122,7 @@ std::size_t points_rounded_by_inp(const Output& output, const WriteOptions& opti
 }
 
 Status write_inp(const Output& output, const std::string& path, const WriteOptions& options) {
+  if (Status status = check_format(".inp", path, options); !status) return status;
   const MeshView view = view_of(output, options);
   if (Status status = check_rounding(view, path); !status) return status;
   return write_text(path, options.stop, [&](TextWriter& out) {

@@ -2,6 +2,7 @@
 // Tested by tests/unit/io/write_mesh/solver_formats/write_medit_test.cpp and, in FreeFem++, by
 // tests/solvers.
 #include "io/files/text_writer.hpp"
+#include "io/write_mesh/check_format.hpp"
 
 #include <cover/mesh_view.hpp>
 
@@ -22,6 +23,7 @@ void write_cells(std::string_view keyword, const Cells& cells, Reference referen
 }  // namespace
 
 Status write_medit(const Output& output, const std::string& path, const WriteOptions& options) {
+  if (Status status = check_format(".mesh", path, options); !status) return status;
   const MeshView view = view_of(output, options);
   return write_text(path, options.stop, [&](TextWriter& out) {
     out << "MeshVersionFormatted 2\nDimension 2\n\nVertices\n" << view.points.size() << '\n';

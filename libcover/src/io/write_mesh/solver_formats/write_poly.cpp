@@ -93,7 +93,8 @@ void write_seeds(std::string& text, const RegionTable& table) {
 
 }  // namespace
 
-Status write_poly(const Pslg& pslg, const RegionTable& table, const std::string& path) {
+Status write_poly(const Pslg& pslg, const RegionTable& table, const std::string& path,
+                  const WriteOptions& options) {
   return memory_as_value(path, [&]() -> Status {
     std::string text;
     text += fmt::format("# points\n");
@@ -102,7 +103,7 @@ Status write_poly(const Pslg& pslg, const RegionTable& table, const std::string&
     write_segments(text, pslg);
     text += fmt::format("# holes, then regions: material, area, name\n");
     write_seeds(text, table);
-    Result<AtomicFile> file = AtomicFile::create(path);
+    Result<AtomicFile> file = AtomicFile::create(path, options.stop);
     if (!file) return file.error();
     file->write({text.data(), text.size()});
     return file->commit();

@@ -10,6 +10,7 @@
 #include <cover/mesh_view.hpp>
 
 #include "io/files/text_writer.hpp"
+#include "io/write_mesh/check_format.hpp"
 
 namespace cover {
 namespace {
@@ -65,6 +66,7 @@ void write_edges(const MeshView& view, TextWriter& out) {
 }  // namespace
 
 Status write_triangle(const Output& output, const std::string& path, const WriteOptions& options) {
+  if (Status status = check_format(".ele", path, options); !status) return status;
   const MeshView view = view_of(output, options);
   std::vector<TextWriter> files;
   const std::filesystem::path elements(path);

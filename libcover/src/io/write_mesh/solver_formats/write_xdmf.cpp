@@ -18,6 +18,7 @@
 #include "io/files/text_writer.hpp"
 #include "io/hdf5/hdf5_writer.hpp"
 #include "io/text/array_names.hpp"
+#include "io/write_mesh/check_format.hpp"
 #include "io/write_mesh/solver_formats/xdmf_file.hpp"
 
 namespace cover {
@@ -352,6 +353,7 @@ Status write_xdmf_file(const XdmfSource& source, const std::string& path,
 }
 
 Status write_xdmf(const Output& output, const std::string& path, const WriteOptions& options) {
+  if (Status status = check_format(".xdmf", path, options); !status) return status;
   const MeshView view = view_of(output, options);
   if (options.xdmf == "hdf5")
     return write_xdmf_file(source_of(view), path, options.stop, [] { return ok(); });

@@ -7,12 +7,14 @@
 #include <cover/write_mesh.hpp>
 
 #include "io/files/piece_folder.hpp"
+#include "io/write_mesh/check_format.hpp"
 #include "io/write_mesh/partition.hpp"
 #include "io/write_mesh/vtk_formats/vtu_parts.hpp"
 
 namespace cover {
 
 Status write_pvtu(const Output& output, const std::string& path, const WriteOptions& options) {
+  if (Status status = check_format(".pvtu", path, options); !status) return status;
   const Result<std::filesystem::path> target = end_of_links(path);
   if (!target) return target.error();
   std::error_code ignored;

@@ -16,6 +16,7 @@
 #include "io/files/temporary_file.hpp"
 #include "io/hdf5/hdf5_writer.hpp"
 #include "io/text/array_names.hpp"
+#include "io/write_mesh/check_format.hpp"
 #include "io/write_mesh/placed_file.hpp"
 #include "io/write_mesh/vtk_formats/vtkhdf_file.hpp"
 #include "io/write_mesh/vtk_formats/vtu_parts.hpp"
@@ -218,6 +219,7 @@ Status write_vtkhdf_columns(const VtkHdfSource& source, const std::string& path,
 }
 
 Status write_vtkhdf(const Output& output, const std::string& path, const WriteOptions& options) {
+  if (Status status = check_format(".vtkhdf", path, options); !status) return status;
   WriteOptions all = options;
   all.inner_lines = true;
   const MeshView view = view_of(output, all);

@@ -17,6 +17,7 @@
 #include "base/containers/buckets.hpp"
 #include "base/words/safe_names.hpp"
 #include "io/files/piece_folder.hpp"
+#include "io/write_mesh/check_format.hpp"
 #include "io/write_mesh/vtk_formats/vtu_parts.hpp"
 
 namespace cover {
@@ -171,6 +172,7 @@ class VtmWriter {
 }  // namespace
 
 Status write_vtm(const Output& output, const std::string& path, const WriteOptions& options) {
+  if (Status status = check_format(".vtm", path, options); !status) return status;
   const Result<fs::path> target = end_of_links(path);
   if (!target) return target.error();
   std::error_code ignored;
