@@ -13,10 +13,10 @@ namespace cover {
 /// material that the reader of a map made up, feature_3, gets the number of its file in front,
 /// 2:feature_3, from the second file on. Attributes of one name are one, of text where one is.
 ///
-/// REQUIRES: at least one
-/// Errors:   bad_option where units or scales differ, where one says that faces without a seed are
-///           void and another not, and where more than one has values beside its geometry
-/// Cost:     O(n)
+/// Errors: bad_option where there is none, where units or scales differ, where one says that faces
+///         without a seed are void and another not, and where more than one has values beside its
+///         geometry
+/// Cost:   O(n)
 Result<Input> join_inputs(std::vector<Input> inputs);
 
 }  // namespace cover

@@ -11,6 +11,7 @@
 
 #include <fmt/core.h>
 
+#include "base/faults/errors.hpp"
 #include "base/numbers.hpp"
 #include "base/words/characters.hpp"
 
@@ -162,6 +163,7 @@ Status join(Input& all, Input more, std::size_t file) {
 
 Result<Input> join_inputs(std::vector<Input> inputs) {
   constexpr std::size_t kNamed = 3;
+  if (inputs.empty()) return bad_option("there is no input to join");
   std::string source = inputs.front().source;
   for (std::size_t k = 1; k < inputs.size() && k < kNamed; ++k) source += ", " + inputs[k].source;
   if (inputs.size() > kNamed) source += fmt::format(" and {} more", inputs.size() - kNamed);

@@ -118,5 +118,11 @@ TEST(JoinInputs, WarningsNameTheirFile) {
   EXPECT_EQ(joined->warnings[0], "y: 1 geometry is a point: left out");
 }
 
+TEST(JoinInputs, NothingIsNoGeometry) {
+  const Result<Input> joined = join_inputs({});
+  ASSERT_FALSE(joined);
+  EXPECT_EQ(joined.error().code, ErrorCode::bad_option);
+}
+
 }  // namespace
 }  // namespace cover
