@@ -45,6 +45,7 @@ Result<BoxCosts> box_costs(const Prepared& prepared, const Options& options = {}
 ///  (2) every triangle is counter-clockwise and belongs to exactly one region; the mesh conforms;
 ///  (3) per region, pi - gamma >= min((pi - gamma_opt) / 2, pi / 6), up to what rounding the
 ///      coordinates can change; exceptions are named in the report.
+/// Options::require is not judged here: unmet_requirements() tells what the mesh misses.
 /// Units:   coordinates as given, one length unit throughout.
 /// Errors:  ErrorCode 100-199 (input), 300 (cancelled), 303 (out of memory), 400 (options; also
 ///          what Options::size_field threw), 900 (ours, please report).

@@ -52,7 +52,8 @@ enum class Couplings {
   last,  ///< targets come first
 };
 
-/// Which properties, when missed, make the run fail.
+/// Which properties a mesh must have. cover_mesh() makes the mesh and judges none of them:
+/// unmet_requirements() tells which it misses.
 struct Requirements {
   bool bound = false;       ///< promise 3 in every region, without exception
   bool max_angle = false;   ///< no triangle above max_angle
@@ -66,8 +67,10 @@ struct SizeRule {
   std::string name;  ///< empty: everywhere
   double size = 0;   ///< length, > 0; no meaning where there is an expression
   bool at = false;   ///< true: at the named line or point; false: inside the named region
-  /// The length as a function of the place, "0.1 + 0.3*abs(y)"; empty: `size`. See Expression.
-  /// Where it is no number above zero there is no wish. Not with `at`.
+  /// The length as a function of the place, "0.1 + 0.3*abs(y)"; empty: `size`. It has numbers, x and
+  /// y, pi, ( ), + - * / ^ (to the right, before a sign: -2^2 is -4), and the functions min and max
+  /// of one or more values, abs, sqrt, exp, log (natural), sin, cos (radians), asinh and tanh. Where
+  /// it is no number above zero there is no wish. Not with `at`.
   std::string expression{};
 };
 
@@ -120,7 +123,8 @@ struct Options {
   std::string size_field_name;  ///< of the background sizes, for reports
   double size_field_scale = 1;  ///< of places and lengths in its file, as Input::scale; > 0
   /// The file of the background sizes holds no lengths but values, of which this is a function: its
-  /// name, "asinh", or an expression of the arrays' names. Sizes are such that it changes by at
+  /// name, "asinh", or an expression of the arrays' names, x and y, as SizeRule::expression. Names
+  /// that are not made of letters, digits and '_' stand in single quotes. Sizes are such that it changes by at
   /// most size_step from one end of an edge to the other. Empty: lengths.
   std::string size_of;
   double size_step = 1;  ///< > 0
@@ -141,7 +145,7 @@ struct Options {
   bool strict = false;           ///< any change to the input is an error
   bool merge_materials = false;  ///< unite touching faces of equal material
 
-  Requirements require;
+  Requirements require;  ///< for unmet_requirements()
   unsigned threads = 0;  ///< 0: all cores
 };
 

@@ -41,6 +41,8 @@ struct PeriodicNodes {
 };
 
 /// The smallest vertex that each of `vertices` vertices is joined to by any rule.
+///
+/// REQUIRES: all vertices of `periodic` are below `vertices`
 std::vector<std::uint32_t> periodic_classes(const std::vector<PeriodicNodes>& periodic,
                                             std::size_t vertices);
 

@@ -25,7 +25,7 @@ struct Segment {
   std::uint32_t circle = 0;  ///< index into Pslg::circles plus one; 0: a straight line
 };
 
-/// Points and segments that meet only at points. Made by `make_pslg` alone.
+/// Points and segments that meet only at points. Made by prepare() alone.
 struct Pslg {
   std::vector<Point> points;           ///< by VertexId; all different
   std::vector<long> point_ids;         ///< of the user's file; -1: made by the split

@@ -11,6 +11,11 @@
 namespace cover {
 
 /// How a geometry file is to be understood. Readers look at what concerns their format only.
+///
+/// Entries of `layer_map`, and the lines of its files, are "PATTERN=NAME" or "NAME PATTERN". A
+/// pattern is a layer and a data type, either of which may be any: "68/20", "68" or "68/*", "*". The
+/// first that fits a layer counts, the last lies on top, and layers that none fits are left out. In
+/// files '#' begins a comment.
 struct ReadOptions {
   std::string format;    ///< extension that names the format, as ".gds"; empty: the file's own
   std::string unit;      ///< nm, um, mm, cm or m, whatever the file says; empty: what it says
@@ -18,7 +23,7 @@ struct ReadOptions {
   unsigned threads = 0;  ///< that long files are read by; 0: all cores. What is read is the same
 
   std::vector<std::string> layers;     ///< what is read, by name or as "68/20"; empty: all
-  std::vector<std::string> layer_map;  ///< "68/20=met1", or files of such lines: see read_gds()
+  std::vector<std::string> layer_map;  ///< "68/20=met1", or files of such lines; see below
   std::string label_layer;             ///< whose texts name regions; empty: texts are left out
   std::string cell;                    ///< of a layout: the one that is drawn; empty: the top cell
   std::optional<Window> window;        ///< of a layout: what is outside is cut off

@@ -38,7 +38,8 @@ enum class InterfaceKind {
 std::string describe(InterfaceKind kind);
 
 /// The segments between one pair of regions, or one contact between them.
-/// `left` is the lower region id that is not the void; segments are directed so.
+/// `left` is the lower region id that is not the void. A segment keeps the direction that it has in
+/// the PSLG, in which any of both may be on its left: RegionTable::sides tells.
 struct Interface {
   InterfaceId id;
   InterfaceKind kind = InterfaceKind::interface;
@@ -46,6 +47,7 @@ struct Interface {
   RegionId left;
   RegionId right;  ///< kVoid for an outline
   double length = 0;
+  /// Chain by chain, each so that `left` is on its left.
   std::vector<SegmentId> segments;
 };
 

@@ -27,7 +27,8 @@ struct OtherFormat {
 };
 
 constexpr std::string_view kOfMaps =
-    "maps other than GeoJSON are read by GDAL, from files and in builds that have it; "
+    "maps other than GeoJSON are read from files by GDAL, in builds that have it: by the component "
+    "cover::gdal, <cover/read_gdal.hpp>; "
     "'ogr2ogr -f GeoJSON OUT.geojson FILE' makes a file that can be read";
 
 constexpr std::string_view kWantsGeoJson =
@@ -42,13 +43,15 @@ constexpr std::array kOtherFormats{
     OtherFormat{".topojson", kWantsGeoJson},
     OtherFormat{".geojsonl", kWantsGeoJson},
     OtherFormat{".geo",
-                ".geo is read by gmsh's library, without which this was built; "
+                ".geo is read by gmsh's library, in builds that have it: by the component "
+                "cover::gmsh, <cover/read_geo.hpp>; "
                 "'gmsh -2 FILE.geo -o FILE.msh' makes a file that can be read"},
     OtherFormat{".oas",
                 "OASIS is read from files, by programs that call KLayout for it; KLayout's "
                 "'strm2gds FILE.oas FILE.gds' makes a file that can be read"},
     OtherFormat{".dxf",
-                ".dxf is read by dxflib, without which this was built; "
+                ".dxf is read by dxflib, in builds that have it: by the component cover::dxf, "
+                "<cover/read_dxf.hpp>; "
                 "'ogr2ogr -f GeoJSON FILE.geojson FILE.dxf' makes a file that can be read, "
                 "with chords for arcs"},
 };
