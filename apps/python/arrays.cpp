@@ -30,6 +30,12 @@ Indices indices_from(const py::handle& value, const char* what) {
   if (!array) throw py::type_error(std::string(what) + " must be indices");
   if (array.size() == 0) return Indices(py::ssize_t{0});  // numpy takes an empty list for floats
   const char kind = array.dtype().kind();
+  // Those would wrap around to other numbers.
+  if (kind == 'u' && array.itemsize() == sizeof(std::uint64_t)) {
+    const auto largest = array.attr("max")().cast<std::uint64_t>();
+    if (largest > std::uint64_t{std::numeric_limits<std::int64_t>::max()})
+      throw py::index_error(std::string(what) + ": there is no index " + std::to_string(largest));
+  }
   if (kind == 'i' || kind == 'u')
     return Indices::ensure(array.attr("astype")("int64", py::arg("copy") = false));
   if (kind != 'f') throw py::type_error(std::string(what) + " must be indices: whole numbers");
@@ -77,6 +83,16 @@ std::string name_from(const py::handle& value, const char* what) {
   return py::str(value);
 }
 
+/// A coordinate of a region.
+double coordinate_from(const py::handle& value) {
+  try {
+    return value.cast<double>();
+  } catch (const py::cast_error&) {
+    throw py::type_error("a region is (x, y, material) or (x, y, material, name), and " +
+                         std::string(py::repr(value)) + " is no coordinate");
+  }
+}
+
 }  // namespace
 
 Input pslg_from(const py::object& points, const py::object& ends, const py::list& regions,
@@ -104,7 +120,7 @@ Input pslg_from(const py::object& points, const py::object& ends, const py::list
     if (fields.size() < 3 || fields.size() > 4)
       throw py::value_error("a region is (x, y, material) or (x, y, material, name)");
     RegionSeed seed;
-    seed.at = {fields[0].cast<double>(), fields[1].cast<double>()};
+    seed.at = {coordinate_from(fields[0]), coordinate_from(fields[1])};
     seed.material = name_from(fields[2], "a material");
     if (fields.size() == 4) seed.region = name_from(fields[3], "a region");
     seed.id = static_cast<long>(input.seeds.size());

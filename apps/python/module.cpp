@@ -19,10 +19,7 @@
 #include <pybind11/stl.h>
 
 #include <cover/cover_mesh.hpp>
-#include <cover/curved_mesh.hpp>
-#include <cover/files.hpp>
 #include <cover/option_table.hpp>
-#include <cover/picture.hpp>
 #include <cover/read_input.hpp>
 #include <cover/read_mesh.hpp>
 #include <cover/read_option_table.hpp>
@@ -34,6 +31,7 @@
 #include <cover/write_option_table.hpp>
 
 #include "arrays.hpp"
+#include "mesh_class.hpp"
 #include "options.hpp"
 #include "pickle.hpp"
 #include "py_mesh.hpp"
@@ -112,7 +110,19 @@ auto run(const py::object& progress, Callables& callables, Work work) {
 /// `report`: of a mesh that was pickled.
 PyMesh py_mesh_of(Output output, std::string report = {}) {
   TriangleSoup soup = triangle_soup(output.mesh);
-  return {std::move(output), std::move(soup), std::move(report)};
+  return {std::move(output), std::move(soup), std::move(report), {}};
+}
+
+/// What a mesh made with `options` promises, against the PSLG of its run: segments that the run cut
+/// are cut there, too. The publication as printed promises no bound.
+VerifyOptions promises_of(const Options& options) {
+  VerifyOptions verify;
+  verify.bound = !options.paper;
+  verify.hull = options.hull;
+  verify.max_angle = options.max_angle;
+  verify.min_angle = options.min_angle;
+  verify.threads = options.threads;
+  return verify;
 }
 
 /// Background sizes that are a function: f(x, y), a length.
@@ -128,6 +138,8 @@ PyMesh mesh_input(Input input, py::dict keywords, const py::object& progress,
   py::object sizes;
   if (keywords.contains("size_field") && PyCallable_Check(keywords["size_field"].ptr()) != 0) {
     sizes = keywords["size_field"];
+    if (keywords.contains("size_of") && !keywords["size_of"].is_none())
+      throw py::type_error("size_of is of the values of a file, and size_field is a function");
     keywords = keywords.attr("copy")();
     keywords.attr("pop")("size_field");
   }
@@ -137,24 +149,22 @@ PyMesh mesh_input(Input input, py::dict keywords, const py::object& progress,
     options.size_field_name = "a function";
   }
   input.warnings.insert(input.warnings.end(), idle.begin(), idle.end());
-  if (const Status status = load_size_field(options, input); !status) raise(status.error());
-  Output output = run(progress, callables, [&, &chosen = options](const Callbacks& callbacks) {
-    return cover_mesh(input, chosen, callbacks);
-  });
+  Output output = run(progress, callables,
+                      [&, &chosen = options](const Callbacks& callbacks) -> Result<Output> {
+                        if (Status status = load_size_field(chosen, input); !status)
+                          return std::move(status).error();
+                        return cover_mesh(input, chosen, callbacks);
+                      });
   std::vector<Provenance::Setting>& settings = output.report.provenance.settings;
   settings.insert(settings.end(), read_with.begin(), read_with.end());
   const std::vector<std::string> unmet = unmet_requirements(output, options);
   PyMesh mesh = py_mesh_of(std::move(output));
+  mesh.promises = promises_of(options);
   if (unmet.empty()) return mesh;
   std::string words = "the mesh does not meet";
   for (const std::string& requirement : unmet)
     words += (&requirement == &unmet.front() ? " " : "; ") + requirement;
   raise({ErrorCode::requirement_not_met, words, {}, {}}, py::cast(std::move(mesh)));
-}
-
-/// A path that the system would take as far as its first zero is another one.
-void check_path(const std::string& path) {
-  if (path.find('\0') != std::string::npos) throw py::value_error("a path has a zero byte in it");
 }
 
 /// A mesh that cover wrote.
@@ -175,105 +185,11 @@ PyMesh mesh_file(const std::string& path, py::dict keywords, const py::object& p
   if (keywords.contains("threads"))
     options.threads =
         options_from(py::dict(py::arg("threads") = keywords["threads"])).options.threads;
-  Result<Input> input = [&] {
-    const py::gil_scoped_release release;
-    return reading::read_geometry(path, options);
-  }();
-  if (!input) raise(input.error());
-  return mesh_input(*std::move(input), keywords, progress, describe_read_options(options));
-}
-
-py::array_t<std::int64_t> input_ids(const PyMesh& mesh) {
-  const TriMesh& tri = mesh.output.mesh.tri();
-  std::vector<std::int64_t> ids;
-  ids.reserve(tri.n_vertices());
-  for (const auto v : tri.vertices()) {
-    const long id = mesh.output.mesh.input_id(v);
-    ids.push_back(id < 0 ? -1 : mesh.output.pslg.point_ids[static_cast<std::size_t>(id)]);
-  }
-  return array_of(ids);
-}
-
-/// The edges of each named line, by its name.
-py::dict lines_of(const PyMesh& mesh) {
-  const TriMesh& tri = mesh.output.mesh.tri();
-  std::vector<std::vector<std::array<std::uint32_t, 2>>> edges(mesh.output.table.interfaces.size());
-  for (const auto e : tri.edges()) {
-    const InterfaceId id = mesh.output.mesh.interface(e);
-    if (id == kNoInterface) continue;
-    const auto h = tri.halfedge_handle(e, 0);
-    edges[place_of(id)].push_back({static_cast<std::uint32_t>(tri.from_vertex_handle(h).idx()),
-                                   static_cast<std::uint32_t>(tri.to_vertex_handle(h).idx())});
-  }
-  py::dict lines;
-  for (const Interface& line : mesh.output.table.interfaces) {
-    const py::str name(line.name);
-    if (!lines.contains(name)) lines[name] = py::list();
-    py::dict piece;
-    piece["left"] = line.left.value();
-    piece["right"] = line.right.value();
-    piece["edges"] = array_of(edges[place_of(line.id)]);
-    lines[name].cast<py::list>().append(piece);
-  }
-  return lines;
-}
-
-/// Pairs of vertices and edges on periodic sides, by rule.
-py::list periodic_of(const PyMesh& mesh) {
-  py::list rules;
-  for (const PeriodicNodes& nodes : mesh.output.periodic) {
-    py::dict rule;
-    rule["from"] = nodes.rule.from;
-    rule["to"] = nodes.rule.to;
-    rule["vertices"] = array_of(nodes.vertices);
-    rule["edges"] = array_of(nodes.edges);
-    rules.append(rule);
-  }
-  return rules;
-}
-
-/// Attributes of a map that were kept, by name: numbers as an array, texts as a list, by region.
-py::dict attributes_of(const PyMesh& mesh) {
-  py::dict attributes;
-  for (const Attribute& attribute : mesh.output.table.attributes) {
-    if (!attribute.is_text) {
-      attributes[py::str(attribute.name)] = array_of(attribute.values);
-      continue;
-    }
-    py::list words;
-    for (const double value : attribute.values)
-      words.append(value == 0 ? py::object(py::none())
-                              : py::str(attribute.words[static_cast<std::size_t>(value) - 1]));
-    attributes[py::str(attribute.name)] = words;
-  }
-  return attributes;
-}
-
-/// What the input has beside its geometry, at the points, by name.
-py::dict fields_of(const PyMesh& mesh) {
-  py::dict fields;
-  for (const PlaneField::Array& field : mesh.output.fields)
-    fields[py::str(field.name)] = array_of(field.values);
-  return fields;
-}
-
-/// Edges on arcs with the middle nodes that order=2 gives them, and areas of regions with them.
-py::dict arcs_of(const PyMesh& mesh) {
-  const CurvedMesh curved = curved_mesh(mesh.output);
-  std::vector<std::array<std::uint32_t, 2>> edges;
-  std::vector<Point> middles;
-  py::list straight;
-  for (const CurvedEdge& edge : curved.edges) {
-    edges.push_back({edge.a, edge.b});
-    middles.push_back(edge.middle);
-    straight.append(edge.is_straight);
-  }
-  py::dict arcs;
-  arcs["edges"] = array_of(edges);
-  arcs["middles"] = array_of(middles);
-  arcs["straight"] = straight;
-  arcs["areas"] = py::cast(curved.areas);
-  return arcs;
+  Callables nothing;  // what is pressed meanwhile counts once the file is read
+  Input input = run(py::none(), nothing, [&, &chosen = options](const Callbacks& /*none*/) {
+    return reading::read_geometry(path, chosen);
+  });
+  return mesh_input(std::move(input), keywords, progress, describe_read_options(options));
 }
 
 /// A row of a table of options, for those who make forms or documents of it.
@@ -307,46 +223,11 @@ py::list described() {
   return rows;
 }
 
-std::string report_text(const PyMesh& mesh) {
-  return mesh.report.empty() ? report_json(mesh.output) : mesh.report;
-}
-
-/// The JSON report as a dictionary.
-py::object report_of(const PyMesh& mesh) {
-  return py::module_::import("json").attr("loads")(report_text(mesh));
-}
-
 /// Geometry in one of the formats of text.
 Input read_text(const std::string& text, const std::string& extension, const std::string& source) {
   Result<Input> input = parse_input(text, extension, source);
   if (!input) raise(input.error());
   return std::move(input).value();
-}
-
-/// A mesh file or a picture, as the extension says.
-void save(const py::object& self, const py::object& path, const py::kwargs& keywords) {
-  const auto& mesh = self.cast<const PyMesh&>();
-  const std::string name = py::module_::import("os").attr("fsencode")(path).cast<std::string>();
-  check_path(name);
-  const std::string extension = extension_of(name);
-  const WriteOptions options = write_options_from(keywords);
-  if (extension == ".png") {
-    py::module_::import("cover._png").attr("write_png")(self, py::bytes(name), options.order);
-    return;
-  }
-  const Status status = [&]() -> Status {
-    const py::gil_scoped_release release;
-    if (extension == ".svg") return write_svg(picture_of(mesh.output, options.order), {}, name);
-    return write_mesh(mesh.output, name, options);
-  }();
-  if (!status) raise(status.error());
-}
-
-std::vector<std::string> violations(const PyMesh& mesh) {
-  std::vector<std::string> messages;
-  for (const Violation& v : verify_cover(mesh.output.pslg, mesh.output.table, mesh.soup).violations)
-    messages.push_back(v.message);
-  return messages;
 }
 
 }  // namespace
@@ -358,32 +239,7 @@ PYBIND11_MODULE(_cover, module) {
 
   module.attr("__version__") = COVER_VERSION;
 
-  py::class_<PyMesh>(module, "Mesh")
-      .def_property_readonly("points", [](const PyMesh& m) { return array_of(m.soup.points); })
-      .def_property_readonly("triangles",
-                             [](const PyMesh& m) { return array_of(m.soup.triangles); })
-      .def_property_readonly("region", [](const PyMesh& m) { return array_of(m.soup.region); })
-      .def_property_readonly("material", [](const PyMesh& m) { return array_of(m.soup.material); })
-      .def_property_readonly("input_id", &input_ids)
-      .def_property_readonly("lines", &lines_of)
-      .def_property_readonly("periodic", &periodic_of)
-      .def_property_readonly("arcs", &arcs_of)
-      .def_property_readonly("attributes", &attributes_of)
-      .def_property_readonly("fields", &fields_of)
-      .def_property_readonly("report", &report_of)
-      .def("save", &save, py::arg("path"))
-      .def("violations", &violations)
-      .def("__reduce__",
-           [](const PyMesh& m) {
-             return py::make_tuple(py::module_::import("cover").attr("_mesh_of_state"),
-                                   py::make_tuple(pickled(m.output, m.soup, report_text(m))));
-           })
-      .def("__repr__", [](const PyMesh& m) {
-        return "<cover.Mesh: " + std::to_string(m.soup.points.size()) + " points, " +
-               std::to_string(m.soup.triangles.size()) + " triangles, " +
-               std::to_string(m.output.table.regions.size()) + " regions>";
-      });
-
+  define_mesh(module);
   module.def("options", &described<cover::option_table>);
   module.def("read_options", &described<cover::read_option_table>);
   module.def("write_options", &described<cover::write_option_table>);

@@ -27,6 +27,11 @@ py::object plain(const py::handle& value) {
   return is_numpy ? py::object(value.attr("tolist")()) : py::reinterpret_borrow<py::object>(value);
 }
 
+bool is_bytes(const py::handle& value) {
+  return PyBytes_Check(value.ptr()) != 0 || PyByteArray_Check(value.ptr()) != 0 ||
+         PyMemoryView_Check(value.ptr()) != 0;
+}
+
 /// What is expected, for whoever gave something of another type.
 template <class Target>
 std::string expected(const OptionOf<Target>& entry) {
@@ -60,6 +65,7 @@ class Value {
   std::vector<std::string> texts(const py::handle& given) const {
     const py::object value = plain(given);
     if (value.is_none()) return {};
+    if (is_bytes(value)) refuse_type(value);  // Python iterates over them as numbers
     if (py::isinstance<py::dict>(value) || py::hasattr(value, "items")) return sizes(value);
     const bool is_text = py::isinstance<py::str>(value) || py::hasattr(value, "__fspath__");
     if (entry_.name == "window" && !is_text && py::isinstance<py::iterable>(value))

@@ -1,6 +1,7 @@
 // What the class Mesh of Python holds.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <cover/output.hpp>
@@ -13,6 +14,8 @@ struct PyMesh {
   Output output;
   TriangleSoup soup;
   std::string report;  ///< of a mesh that was pickled, as JSON; else empty
+  /// What it promises for Output::pslg and table; none where these were made of the mesh itself.
+  std::optional<VerifyOptions> promises;
 };
 
 }  // namespace cover::python

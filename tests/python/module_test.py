@@ -82,6 +82,15 @@ class Meshing(unittest.TestCase):
         # Parabolas through the middles of 36 arcs or so are off by some 2e-6 of the disc; chords by 5e-3.
         self.assertLess(abs(arcs['areas'][0] / (9 * math.pi) - 1), 1e-5)
 
+    def test_promises_are_those_of_the_run(self):
+        corners, inner = [(0, 0), (4, 0), (4, 3), (0, 3)], [(1, 1), (2, 1), (2, 2)]
+        for options in ({}, {'hull': True}, {'split_interfaces': True}, {'method': 'nonobtuse'}, {'method': 'almond'}, {'box_method': True},
+                        {'method': 'almond', 'paper': True}):
+            mesh = cover.mesh(corners, [(0, 1), (1, 2), (2, 3), (3, 0), (0, 2)], **options)
+            self.assertEqual(mesh.violations(), [], options)
+        mesh = cover.mesh(corners + inner, [(4, 5), (5, 6)], hull=True)
+        self.assertEqual(mesh.violations(), [])
+
     def test_lists_will_do(self):
         mesh = cover.mesh([(0, 0), (1, 0), (0, 1)], [(0, 1), (1, 2), (2, 0)])
         self.assertEqual(len(mesh.triangles), 1)
@@ -260,7 +269,8 @@ class Pickling(unittest.TestCase):
             for one, other in zip(pieces, again.lines[name], strict=True):
                 self.assertEqual((one['left'], one['right']), (other['left'], other['right']))
                 self.assertEqual({frozenset(e) for e in one['edges'].tolist()}, {frozenset(e) for e in other['edges'].tolist()})
-        self.assertEqual(again.violations(), [])
+        with self.assertRaisesRegex(ValueError, 'read, copied or pickled'):
+            again.violations()
         with tempfile.TemporaryDirectory() as folder:
             for k, m in enumerate((mesh, again)):
                 m.save(f'{folder}/{k}.msh')
@@ -313,7 +323,10 @@ class Reading(unittest.TestCase):
                 mesh.save(f'{folder}/m.{extension}')
                 again = cover.read(pathlib.Path(f'{folder}/m.{extension}'))
                 np.testing.assert_array_equal(again.points, mesh.points)
-                self.assertEqual(again.violations(), [])
+                with self.assertRaisesRegex(ValueError, 'read, copied or pickled'):
+                    again.violations()
+                self.assertEqual(again.regions, mesh.regions)
+                self.assertEqual(again.materials, mesh.materials)
                 self.assertEqual(again.report['overall']['largest_angle'], mesh.report['overall']['largest_angle'])
                 self.assertIn('drain', again.lines)
                 again.save(f'{folder}/again.vtu')
@@ -394,6 +407,42 @@ class Mistakes(unittest.TestCase):
         with self.assertRaises(cover.Error):
             cover.mesh_file('nowhere.poly')
 
+
+    def test_bytes_are_no_sizes(self):
+        for value in b'5', bytearray(b'5'), memoryview(b'5'), [b'5'], {'': b'5'}:
+            for name in 'size', 'size_at', 'layers':
+                with self.assertRaisesRegex(TypeError, f'{name}: '):
+                    cover.mesh(SQUARE, SEGMENTS, REGIONS, **{name: value})
+
+    def test_what_is_none(self):
+        mesh = cover.mesh(SQUARE, SEGMENTS, None, None, lines=None)
+        self.assertEqual(len(mesh.triangles), len(cover.mesh(SQUARE, SEGMENTS).triangles))
+        self.assertTrue(len(cover.mesh_polygons([('a', [SQUARE])], holes=None).triangles))
+
+    def test_coordinates_and_indices_of_wrong_types(self):
+        with self.assertRaisesRegex(TypeError, "'left' is no coordinate"):
+            cover.mesh(SQUARE, SEGMENTS, [('left', 0.5, 'Si')])
+        with self.assertRaisesRegex(IndexError, 'no index 18446744073709551615'):
+            cover.mesh(SQUARE, np.array([(0, 2**64 - 1)], np.uint64))
+
+    def test_functions_have_no_values_of_a_file(self):
+        with self.assertRaisesRegex(TypeError, 'size_of is of the values of a file'):
+            cover.mesh(SQUARE, SEGMENTS, REGIONS, size_field=lambda x, y: 1, size_of='asinh')
+
+    def test_mappings_that_are_no_dictionaries(self):
+        view = types.MappingProxyType
+        for polygon in {'material': 'a', 'rings': [SQUARE]}, {'material': 'a', 'rings': [[view({'circle': view({'centre': (0, 0), 'radius': 1, 'chords': 8})})]]}:
+            np.testing.assert_array_equal(cover.mesh_polygons([view(polygon)]).points, cover.mesh_polygons([{**polygon}]).points)
+        cover.mesh(SQUARE, SEGMENTS, REGIONS, lines=view({'anode': [5]}), size=view({'': 0.5}))
+
+    def test_unknown_extensions(self):
+        with self.assertRaisesRegex(cover.Error, r'\.svg.*\.png'):
+            cover.mesh(SQUARE, SEGMENTS, REGIONS).save('mesh.gif')
+
+    def test_members_are_explained(self):
+        for name, member in vars(cover.Mesh).items():
+            if not name.startswith('_'):
+                self.assertTrue(member.__doc__, name)
 
     def test_numbers_of_numpy(self):
         for value in 0.4, np.float64(0.4), np.array(0.4), np.array([0.4]):
@@ -560,6 +609,29 @@ class Running(unittest.TestCase):
         done.set()
         ticker.join()
         self.assertTrue([t for t in ticks if start < t < end])
+
+    def test_other_threads_go_on_while_sizes_are_read(self):
+        random = np.random.default_rng(1)
+        rows = np.column_stack([random.random((100000, 2)), np.ones(100000)])
+        ticks, done = [], threading.Event()
+
+        def tick():
+            while not done.is_set():
+                ticks.append(time.monotonic())
+                time.sleep(0.001)
+        with tempfile.TemporaryDirectory() as folder:
+            np.savetxt(f'{folder}/sizes.csv', rows, delimiter=',')
+            ticker = threading.Thread(target=tick)
+            ticker.start()
+            try:
+                start = time.monotonic()
+                cover.mesh([(0, 0), (1, 0), (0, 1)], [(0, 1), (1, 2), (2, 0)], size_field=f'{folder}/sizes.csv')
+                end = time.monotonic()
+            finally:
+                done.set()
+                ticker.join()
+        # The mesh is a triangle or two: nearly all the time goes into the file.
+        self.assertTrue([t for t in ticks if 0.1 < (t - start) / (end - start) < 0.6])
 
 
 if __name__ == '__main__':

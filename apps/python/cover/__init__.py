@@ -13,6 +13,7 @@ What `cover mesh` would warn of is in mesh.notes. read() takes a mesh from a fil
 import json as _json
 import math as _math
 import os as _os
+from collections.abc import Mapping as _Mapping
 
 
 class Error(Exception):
@@ -78,7 +79,12 @@ def mesh(points, segments, regions=(), holes=(), *, lines=None, progress=None, *
     named interfaces, the indices of their segments by name.
     progress(stage, done, total) is called now and then; returning False raises Cancelled.
     """
-    return _mesh_pslg(points, segments, list(regions), holes, dict(_by_name(lines, "segments")), options, progress)
+    return _mesh_pslg(points, segments, list(_or_none(regions)), _or_none(holes), dict(_by_name(lines, "segments")), options, progress)
+
+
+def _or_none(places):
+    """Those that are given; None as none."""
+    return () if places is None else places
 
 
 def _by_name(lines, what):
@@ -90,9 +96,9 @@ def _by_name(lines, what):
 
 def _plain(path, what):
     """A path as JSON has it: points as pairs, curves as dictionaries."""
-    plain = [item if isinstance(item, dict) else [float(x) for x in item] for item in path]
+    plain = [item if isinstance(item, _Mapping) else [float(x) for x in item] for item in path]
     for point in plain:
-        if not isinstance(point, dict) and not all(map(_math.isfinite, point)):
+        if not isinstance(point, _Mapping) and not all(map(_math.isfinite, point)):
             error = Error(f"the point ({', '.join(f'{x:g}' for x in point)}) of {what} is not finite")
             error.code, error.where = 100, [tuple(point)]
             raise error
@@ -100,29 +106,29 @@ def _plain(path, what):
 
 
 def _is_curved(path):
-    return any(isinstance(item, dict) for item in path) if not hasattr(path, "dtype") else False
+    return any(isinstance(item, _Mapping) for item in path) if not hasattr(path, "dtype") else False
 
 
 def _document(k, polygon):
     """A polygon as JSON has it; the names and numbers of a tuple are those of mesh_polygons()."""
-    if not isinstance(polygon, dict):
+    if not isinstance(polygon, _Mapping):
         polygon = dict(zip(("material", "rings", "region"), polygon))
     return {**polygon, "rings": [_plain(ring, f"polygon {k}") for ring in polygon.get("rings", ())]}
 
 
 def _check_polygon(k, polygon):
     """A mistake in the shape of a polygon, by its number."""
-    if isinstance(polygon, dict):
+    if isinstance(polygon, _Mapping):
         return
     if isinstance(polygon, str) or not hasattr(polygon, "__len__") or len(polygon) not in (2, 3):
         raise TypeError(f"polygon {k} is no (material, rings), (material, rings, name) or dictionary")
     material, rings = polygon[:2]
     if hasattr(material, "__len__") and not isinstance(material, str):
         raise TypeError(f"polygon {k}: its material, the first of the tuple, must be a name or a number")
-    if isinstance(rings, (str, dict)) or not hasattr(rings, "__len__"):
+    if isinstance(rings, (str, _Mapping)) or not hasattr(rings, "__len__"):
         raise TypeError(f"polygon {k}: its rings must be a list of rings, each a list of points")
     for ring in rings:
-        if isinstance(ring, (str, dict)) or not hasattr(ring, "__len__"):
+        if isinstance(ring, (str, _Mapping)) or not hasattr(ring, "__len__"):
             raise TypeError(f"polygon {k}: a ring must be a list of points; rings are a list of such lists")
 
 
@@ -136,13 +142,13 @@ def mesh_polygons(polygons, *, lines=None, holes=(), chord_error=None, unit=None
     priority wins, then the later one, or as the option overlap says.
     lines: contacts, paths by name; a name may have a list of paths. holes: (k, 2) floats, a point in each void.
     """
-    if isinstance(polygons, (str, dict)) or not hasattr(polygons, "__iter__"):
+    if isinstance(polygons, (str, _Mapping)) or not hasattr(polygons, "__iter__"):
         raise TypeError("polygons must be a list of (material, rings), (material, rings, name) or dictionaries")
-    polygons = list(polygons)
+    polygons, holes = list(polygons), _or_none(holes)
     for k, polygon in enumerate(polygons):
         _check_polygon(k, polygon)
     simple = not lines and not len(holes) and unit is None and all(
-        not isinstance(p, dict) and not any(_is_curved(ring) for ring in p[1]) for p in polygons)
+        not isinstance(p, _Mapping) and not any(_is_curved(ring) for ring in p[1]) for p in polygons)
     if simple:
         return _mesh_polygons(polygons, options, progress)
     document = {"polygons": [_document(k, p) for k, p in enumerate(polygons)], "lines": [], "holes": _plain(holes, "holes")}
@@ -151,7 +157,7 @@ def mesh_polygons(polygons, *, lines=None, holes=(), chord_error=None, unit=None
         if not len(paths):
             raise ValueError(f"lines: '{name}' has no points")
         first = paths[0]
-        one = isinstance(first, dict) or (len(first) == 2 and not any(isinstance(x, dict) or hasattr(x, "__len__") for x in first))
+        one = isinstance(first, _Mapping) or (len(first) == 2 and not any(isinstance(x, dict) or hasattr(x, "__len__") for x in first))
         for path in [paths] if one else paths:
             document["lines"].append({"name": str(name), "points": _plain(path, f"the line '{name}'")})
     if chord_error is not None:
@@ -166,7 +172,9 @@ def mesh_polygons(polygons, *, lines=None, holes=(), chord_error=None, unit=None
 
 
 def _number(value):
-    """numpy's numbers and arrays, for JSON."""
+    """numpy's numbers and arrays, and mappings that are no dictionaries, for JSON."""
+    if isinstance(value, _Mapping):
+        return dict(value)
     if hasattr(value, "tolist"):
         return value.tolist()
     raise TypeError(f"{value!r} is no number, text, list or dictionary")
@@ -182,9 +190,11 @@ def mesh_file(path, *, progress=None, **options):
 
 
 def read(path):
-    """A mesh that cover wrote, in any of its formats but pictures: as far as the file and the manifest beside it tell.
+    """A mesh that cover wrote, as far as the file and the manifest (.json) beside it tell: .vtu, .pvtu, .vtm, .vtkhdf,
+    .vtk, .msh, .xdmf, .mesh, .inp, .ele.
 
-    What they do not is said in its notes. Its report has no regions.
+    What they do not tell is said in its notes. Its report has no regions; names and materials are in Mesh.regions
+    and Mesh.materials. It has no input, so violations() has nothing to compare it with.
     """
     return _read(_os.fsencode(path))
 
@@ -245,7 +255,7 @@ def _to_vtk(self):
         add(grid.GetCellData(), name, values[self.region - 1])
     for name, values in self.fields.items():
         add(grid.GetPointData(), name, values)
-    regions = self.report.get("regions", ())
+    regions = self.regions
     add_texts("RegionName", [region["name"] for region in regions])
     add_texts("MaterialName", [region["material_name"] for region in regions])
     return grid

@@ -90,6 +90,12 @@ class _Line(TypedDict):
     right: int
     edges: npt.NDArray[np.uint32]
 
+class _RegionNames(TypedDict):
+    id: int
+    name: str
+    material: int
+    material_name: str
+
 class Error(Exception):
     code: int
     where: Sequence[Tuple[float, float]]
@@ -123,19 +129,23 @@ class Mesh:
     @property
     def fields(self) -> dict[str, npt.NDArray[np.float64]]: ...  # what the input has beside geometry: doping, by point
     @property
+    def regions(self) -> list[_RegionNames]: ...
+    @property
+    def materials(self) -> dict[int, str]: ...
+    @property
     def report(self) -> dict[str, Any]: ...
     @property
     def notes(self) -> list[str]: ...  # what `cover mesh` would warn of
     def save(self, path: Union[str, os.PathLike[str]], **options: Unpack[_WriteOptions]) -> None: ...
-    def violations(self) -> list[str]: ...
+    def violations(self) -> list[str]: ...  # ValueError for a mesh that was read, copied or pickled
     def to_vtk(self) -> Any: ...
     def to_meshio(self) -> Any: ...
 
 def mesh(
     points: npt.ArrayLike,
     segments: npt.ArrayLike,
-    regions: Sequence[_Region] = (),
-    holes: npt.ArrayLike = (),
+    regions: Optional[Sequence[_Region]] = (),
+    holes: Optional[npt.ArrayLike] = (),
     *,
     lines: Optional[Mapping[str, npt.ArrayLike]] = None,
     progress: Optional[_Progress] = None,
@@ -145,7 +155,7 @@ def mesh_polygons(
     polygons: Sequence[_Polygon],
     *,
     lines: Optional[Mapping[str, Union[_Path, Sequence[_Path]]]] = None,
-    holes: npt.ArrayLike = (),
+    holes: Optional[npt.ArrayLike] = (),
     chord_error: Optional[float] = None,
     unit: Optional[Literal["nm", "um", "mm", "cm", "m"]] = None,
     progress: Optional[_Progress] = None,
