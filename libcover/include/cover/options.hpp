@@ -67,9 +67,9 @@ struct SizeRule {
   std::string name;  ///< empty: everywhere
   double size = 0;   ///< length, > 0; no meaning where there is an expression
   bool at = false;   ///< true: at the named line or point; false: inside the named region
-  /// The length as a function of the place, "0.1 + 0.3*abs(y)"; empty: `size`. It has numbers, x and
-  /// y, pi, ( ), + - * / ^ (to the right, before a sign: -2^2 is -4), and the functions min and max
-  /// of one or more values, abs, sqrt, exp, log (natural), sin, cos (radians), asinh and tanh. Where
+  /// The length as a function of the place, "0.1 + 0.3*abs(y)"; empty: `size`. It has numbers, x,
+  /// y, pi, ( ), + - * / ^ (to the right, before a sign: -2^2 is -4), and functions: min and max
+  /// of one or more values, abs, sqrt, exp, log (natural), sin, cos (radians), asinh, tanh. Where
   /// it is no number above zero there is no wish. Not with `at`.
   std::string expression{};
 };
@@ -123,8 +123,8 @@ struct Options {
   std::string size_field_name;  ///< of the background sizes, for reports
   double size_field_scale = 1;  ///< of places and lengths in its file, as Input::scale; > 0
   /// The file of the background sizes holds no lengths but values, of which this is a function: its
-  /// name, "asinh", or an expression of the arrays' names, x and y, as SizeRule::expression. Names
-  /// that are not made of letters, digits and '_' stand in single quotes. Sizes are such that it changes by at
+  /// name, "asinh", or as SizeRule::expression one of arrays' names, x and y; names that are not
+  /// made of letters, digits and '_' stand in single quotes. Sizes are such that it changes by at
   /// most size_step from one end of an edge to the other. Empty: lengths.
   std::string size_of;
   double size_step = 1;  ///< > 0

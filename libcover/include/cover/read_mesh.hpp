@@ -53,7 +53,7 @@ struct MeshFile {
   std::vector<PlaneField::Array> point_arrays{};
 };
 
-/// Reads the triangles of a mesh, and its lines: .vtu, .pvtu, the .vtm of cover, legacy .vtk, .vtkhdf,
+/// Reads the triangles of a mesh, and its lines: .vtu, .pvtu, cover's .vtm, legacy .vtk, .vtkhdf,
 /// gmsh's .msh, .xdmf, Medit's .mesh, Abaqus' .inp, Triangle's .ele. Other cells are left out. Of
 /// triangles with six nodes the corners are taken, and points that are nothing else are left out.
 ///

@@ -13,9 +13,9 @@ namespace cover {
 /// How a geometry file is to be understood. Readers look at what concerns their format only.
 ///
 /// Entries of `layer_map`, and the lines of its files, are "PATTERN=NAME" or "NAME PATTERN". A
-/// pattern is a layer and a data type, either of which may be any: "68/20", "68" or "68/*", "*". The
-/// first that fits a layer counts, the last lies on top, and layers that none fits are left out. In
-/// files '#' begins a comment.
+/// pattern is a layer and a data type, either of which may be any: "68/20", "68" or "68/*", "*".
+/// The first that fits a layer counts, the last lies on top, and layers that none fits are left
+/// out. In files '#' begins a comment.
 struct ReadOptions {
   std::string format;    ///< extension that names the format, as ".gds"; empty: the file's own
   std::string unit;      ///< nm, um, mm, cm or m, whatever the file says; empty: what it says

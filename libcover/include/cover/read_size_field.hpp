@@ -20,9 +20,9 @@ namespace cover {
 ///         What it holds is looked at by size_function().
 Result<SizeSamples> read_size_field(const std::string& path);
 
-/// Reads what sizes shall follow from the same files: `of` is as Options::size_of: the name
-/// of a function, of the only array, or an expression of the arrays' names, x and y. Edges of the sizes made
-/// change it by at most `step`: the size at a point is step over the steepest slope in the
+/// Reads what sizes shall follow from the same files: `of` is as Options::size_of, the name of a
+/// function, of the only array, or an expression of the arrays' names, x and y. Edges of the sizes
+/// made change it by at most `step`: the size at a point is step over the steepest slope in the
 /// triangles around it, less what edges of a mesh may be longer than asked. Where it is no number
 /// nothing is asked.
 ///

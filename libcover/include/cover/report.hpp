@@ -138,8 +138,8 @@ struct RegionReport {
   /// triangulation is below 60 degrees.
   [[nodiscard]] Angle lowest_nu() const { return std::min(nu_opt, Angle::degrees(120)); }
 
-  /// (pi - gamma) / min(B, pi/2). Where B is no more than pi/2, 1 is the optimum; else it is above 1
-  /// where all angles are below 90 degrees, and 1 with a right angle as the largest.
+  /// (pi - gamma) / min(B, pi/2). Where B is no more than pi/2, 1 is the optimum; else it is above
+  /// 1 where all angles are below 90 degrees, and 1 with a right angle as the largest.
   [[nodiscard]] double rho() const;
 };
 

@@ -24,8 +24,8 @@ struct SizeSamples {
 /// of the mesher are: else a fine spot could hide between two of its vertices.
 ///
 /// Units:   as the mesh.
-/// Errors:  bad_option unless growth > 1; non_finite_coordinate; id_out_of_range; syntax for a size that is not above zero, and
-///          for no points
+/// Errors:  bad_option unless growth > 1; non_finite_coordinate; id_out_of_range; syntax for a size
+///          that is not above zero, and for no points
 /// Threads: the function may be called from several at a time.
 /// Cost:    O(n log n), and O(log n) for a call, unless triangles overlap much
 Result<SizeFunction> size_function(const SizeSamples& samples, double growth);

@@ -1,4 +1,4 @@
-// What a program fills in by hand may contradict itself: that is an error, and nothing is looked up.
+// What a program fills in by hand may contradict itself: that is an error.
 #include "clean/check_input.hpp"
 
 #include <gtest/gtest.h>
