@@ -6,6 +6,7 @@ import math
 import os
 import pathlib
 import pickle
+import signal
 import subprocess
 import sys
 import tempfile
@@ -632,6 +633,30 @@ class Running(unittest.TestCase):
                 ticker.join()
         # The mesh is a triangle or two: nearly all the time goes into the file.
         self.assertTrue([t for t in ticks if 0.1 < (t - start) / (end - start) < 0.6])
+
+    def test_signals_are_seen_while_files_are_read(self):
+        seen = []
+        before = signal.signal(signal.SIGALRM, lambda *_: seen.append(time.monotonic()))
+        random = np.random.default_rng(1)
+        try:
+            with tempfile.TemporaryDirectory() as folder:
+                np.savetxt(f'{folder}/sizes.csv', np.column_stack([random.random((100000, 2)), np.ones(100000)]), delimiter=',')
+                points = '\n'.join(f'{k} {x} {y}' for k, (x, y) in enumerate(random.random((1000000, 2)).tolist()))
+                pathlib.Path(f'{folder}/broken.poly').write_text(f'1000000 2 0 0\n{points}\nnothing\n')
+
+                def broken():
+                    with self.assertRaisesRegex(cover.Error, 'nothing'):
+                        cover.mesh_file(f'{folder}/broken.poly', threads=1)
+                for read in broken, lambda: cover.mesh(self.POINTS, self.RING, size_field=f'{folder}/sizes.csv'):
+                    seen.clear()
+                    start = time.monotonic()
+                    signal.setitimer(signal.ITIMER_REAL, 0.01)
+                    read()
+                    end = time.monotonic()
+                    self.assertEqual(len(seen), 1)
+                    self.assertLess((seen[0] - start) / (end - start), 0.9, end - start)
+        finally:
+            signal.signal(signal.SIGALRM, before)
 
 
 if __name__ == '__main__':
