@@ -47,11 +47,11 @@ for name in contacts:
     edges = np.concatenate([piece['edges'] for piece in mesh.lines[name]])
     print(f'{name:7} {len(edges):3} edges')
 
-# %% Files and pictures; a mesh can be pickled, sent to another process, checked again.
+# %% Files and pictures; a mesh is checked against its input, and can be pickled and sent to another process.
 mesh.save('transistor.vtu')
 mesh.save('transistor.png')
 again = pickle.loads(pickle.dumps(mesh))
-assert np.array_equal(again.points, mesh.points) and again.violations() == []
+assert np.array_equal(again.points, mesh.points) and mesh.violations() == []
 
 # %% Errors in words.
 try:
