@@ -27,8 +27,8 @@ struct OtherFormat {
 };
 
 constexpr std::string_view kOfMaps =
-    "maps other than GeoJSON are read from files by GDAL, in builds that have it: by the component "
-    "cover::gdal, <cover/read_gdal.hpp>; "
+    "maps other than GeoJSON are read by GDAL, from files and in builds that have it: by the "
+    "component cover::gdal, <cover/read_gdal.hpp>; "
     "'ogr2ogr -f GeoJSON OUT.geojson FILE' makes a file that can be read";
 
 constexpr std::string_view kWantsGeoJson =

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include <cover/read_input.hpp>
 
@@ -290,6 +291,11 @@ TEST(ReadInput, SaysHowToConvertWhatOthersRead) {
   for (const char* map : {".shp", ".gpkg", ".fgb", ".gml", ".KML"})
     EXPECT_NE(told(map).find("ogr2ogr -f GeoJSON OUT.geojson FILE"), std::string::npos) << map;
   EXPECT_NE(told(".dxf").find("ogr2ogr -f GeoJSON"), std::string::npos);
+  for (const auto& [extension, component] :
+       {std::pair(".dxf", "cover::dxf, <cover/read_dxf.hpp>"),
+        std::pair(".shp", "cover::gdal, <cover/read_gdal.hpp>"),
+        std::pair(".geo", "cover::gmsh, <cover/read_geo.hpp>")})
+    EXPECT_NE(told(extension).find(component), std::string::npos) << extension;
   EXPECT_NE(told(".oas").find("strm2gds"), std::string::npos);
   ReadOptions options;
   options.crs = "EPSG:25832";
