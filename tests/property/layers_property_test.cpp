@@ -81,7 +81,10 @@ class Layers : public ::testing::TestWithParam<testing::RandomInput> {
     std::mt19937_64 random(seed);
     const Input input = GetParam().make(seed);
     const Result<Prepared> prepared = prepare(input);
-    if (!prepared) return;  // two seeds in one face
+    if (!prepared) {
+      EXPECT_EQ(prepared.error().code, ErrorCode::conflicting_seeds) << prepared.error().message;
+      return;
+    }
     check(input, random_options(random, prepared->table));
   }
 };

@@ -21,11 +21,14 @@ TEST(WalkAlmonds, KnowsTheApexByIdentityAndCocircularVertices) {
   const Stages flat(testing::boundary_of(
       {{{-12, 5}, {12, 5}, {5, 12}, {0, 13}, {-5, 12}}}));  // all on x^2 + y^2 = 169
   const Reach on_circle = walk_almonds(flat.cdt, flat.almonds);
+  int lower_ones = 0;
   for (std::uint32_t k = 0; k < flat.almonds.size(); ++k) {
     const bool lower = flat.almonds[k].from.y == 5 && flat.almonds[k].to.y == 5;
     if (!lower || !flat.almonds[k].passes_apex()) continue;
     EXPECT_EQ(on_circle.known_of(k).size(), 5U);
+    ++lower_ones;
   }
+  EXPECT_EQ(lower_ones, 1);
 }
 
 }  // namespace

@@ -129,6 +129,7 @@ TEST_F(Gaps, TwoDisksAndALineMakeFour) {
 }
 
 TEST_F(Gaps, DiskLineDiskLineMakesSix) {
+  int filled = 0;
   for (int k = 0; k < 500; ++k) {
     // Two disks inside a wedge around the x axis.
     const double half = 0.7 * (uniform_(random_) + 1) / 2, r0 = radius();
@@ -145,13 +146,17 @@ TEST_F(Gaps, DiskLineDiskLineMakesSix) {
     ASSERT_EQ(fill(s), GapKind::two_lines);
     ASSERT_EQ(s.draft.triangles.size(), 6U);
     ASSERT_EQ(s.draft.on_chord.size(), 2U);
+    ++filled;
   }
+  EXPECT_GT(filled, 50);
 }
 
 TEST_F(Gaps, AnglesAddUp) {
+  int measured = 0;
   for (int k = 0; k < 500; ++k) {
     const auto s = k % 2 == 0 ? four_disks() : three_disks_and_line();
     if (!s) continue;
+    ++measured;
     const GapAngles a = measure(s->draft, s->gap);
     double beta = 0, gamma = 0;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -163,6 +168,7 @@ TEST_F(Gaps, AnglesAddUp) {
     EXPECT_NEAR(beta, std::numbers::pi, 1e-6);
     EXPECT_NEAR(gamma, std::numbers::pi, 1e-6);
   }
+  EXPECT_GT(measured, 50);
 }
 
 // A centre that falls on the middle of a chord is its own foot and saves two triangles; that is

@@ -64,12 +64,14 @@ TEST(FanGrowth, TwoFansGrowNoFasterThanOneOfBoth) {
   const auto uniform = [&](double a, double b) {
     return std::uniform_real_distribution<double>(a, b)(random);
   };
+  int compared = 0;
   for (int round = 0; round < 5000; ++round) {
     const FanGrowth growth(
         {uniform(65, 175) * kOneDegree, std::pow(10, uniform(-3, std::log10(55))) * kOneDegree});
     const double a = uniform(0, 180) * kOneDegree, b = uniform(0, 180) * kOneDegree;
     const double of_a = growth.log_ratio(a, a), of_b = growth.log_ratio(b, b);
     if (of_a < 0 || of_b < 0) continue;
+    ++compared;
     const double of_both = growth.log_ratio(a + b, a + b);
     EXPECT_GE(of_both, (of_a + of_b) * (1 - 1e-6) - 1e-3);
     EXPECT_GE(growth.log_ratio(a, a + b), std::max(of_a, of_both) - 1e-3);
@@ -77,6 +79,7 @@ TEST(FanGrowth, TwoFansGrowNoFasterThanOneOfBoth) {
       EXPECT_EQ(growth.log_ratio(a + b, a + b, enough) >= enough, of_both >= enough);
     }
   }
+  EXPECT_GT(compared, 1000);
 }
 
 TEST(FanGrowth, FansOfVeryManyTrianglesAreNotBounded) {
@@ -98,6 +101,7 @@ TEST(FanGrowth, NoRandomFanGrowsFaster) {
   const auto uniform = [&](double a, double b) {
     return std::uniform_real_distribution<double>(a, b)(random);
   };
+  int fans = 0;
   for (int round = 0; round < 20000; ++round) {
     const AngleRange range{uniform(65, 175) * kOneDegree, uniform(1, 55) * kOneDegree};
     const FanGrowth growth(range);
@@ -127,11 +131,13 @@ TEST(FanGrowth, NoRandomFanGrowsFaster) {
       log_ratio += std::log(std::sin(y) / std::sin(z));
     }
     if (!possible || sum > 2 * std::numbers::pi) continue;
+    ++fans;
     EXPECT_LE(std::abs(log_ratio), growth.log_ratio(sum, sum) + 1e-9)
         << triangles << " triangles, angles from " << range.least / kOneDegree << " to "
         << range.most / kOneDegree << ", sum " << sum / kOneDegree;
     EXPECT_LE(std::abs(log_ratio), growth.log_ratio(sum - 0.1, sum + 0.2) + 1e-9);
   }
+  EXPECT_GT(fans, 1000);
 }
 
 // The last triangle's apex may be as large as where couplings count, or small.
