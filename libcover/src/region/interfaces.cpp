@@ -4,8 +4,13 @@
 #include "region/interfaces.hpp"
 
 #include <algorithm>
+#include <set>
 #include <span>
+#include <string>
+#include <string_view>
 #include <tuple>
+
+#include <fmt/core.h>
 
 #include "base/none.hpp"
 #include "geom/vector.hpp"
@@ -132,19 +137,27 @@ InterfaceKind kind_of(const Key& key) {
   return key.left == key.right ? InterfaceKind::slit : InterfaceKind::interface;
 }
 
-std::string name_of(const Pslg& pslg, const RegionTable& table, const Key& key) {
+/// Of a line without a name of its own.
+std::string made_name(const RegionTable& table, const Key& key) {
   const std::string& left = table.region(key.left).name;
   switch (kind_of(key)) {
-    case InterfaceKind::contact:
-      return pslg.names[key.name];
     case InterfaceKind::outline:
       return left + "_outline";
     case InterfaceKind::slit:
       return left + "_slit";
-    case InterfaceKind::interface:
-      break;
+    default:
+      return left + "_" + table.region(key.right).name;
   }
-  return left + "_" + table.region(key.right).name;
+}
+
+/// A name that the input gives a line is no other line's: solvers put electrodes on it.
+std::string name_of(const Pslg& pslg, const RegionTable& table, const Key& key,
+                    const std::set<std::string_view>& given) {
+  if (kind_of(key) == InterfaceKind::contact) return pslg.names[key.name];
+  const std::string made = made_name(table, key);
+  std::string name = made;
+  for (int k = 2; given.contains(name); ++k) name = fmt::format("{}_{}", made, k);
+  return name;
 }
 
 }  // namespace
@@ -156,6 +169,7 @@ void build_interfaces(const Pslg& pslg, RegionTable& table) {
     if (key.left != kVoid) keyed.emplace_back(key, SegmentId{s});
   }
   if (!std::is_sorted(keyed.begin(), keyed.end())) std::sort(keyed.begin(), keyed.end());
+  const std::set<std::string_view> given(pslg.names.begin(), pslg.names.end());
   std::vector<SegmentId> group;
   StepsAtVertices at(pslg.points.size());
   for (std::size_t k = 0; k < keyed.size();) {
@@ -165,7 +179,7 @@ void build_interfaces(const Pslg& pslg, RegionTable& table) {
     Interface line;
     line.id = InterfaceId{table.interfaces.size() + 1};
     line.kind = kind_of(key);
-    line.name = name_of(pslg, table, key);
+    line.name = name_of(pslg, table, key, given);
     line.left = key.left;
     line.right = key.right;
     line.segments = Chains(pslg, table, key.left, group, at).in_order();

@@ -178,6 +178,28 @@ TEST(BuildRegionTable, SeparatesInterfacesOutlinesSlitsAndContacts) {
   EXPECT_EQ(found->table.regions[0].sides, 5U);
 }
 
+/// What the input calls a contact is the name of nothing else, or solvers put electrodes there.
+TEST(BuildRegionTable, NamesOfTheInputAreNoOtherLines) {
+  Input input;
+  add_loop(input, square(0, 4));
+  input.segments.push_back({0, 2, 0, 5, 0, ""});  // the diagonal
+  input.segments[0].name = "low_high";            // the bottom
+  input.segments[2].name = "high_outline";        // the top
+  input.segments[3].name = "high_outline_2";      // the left
+  input.seeds = {seed({3, 1}, "low", 1), seed({1, 3.5}, "high", 2)};
+  const auto found = find(input);
+  ASSERT_TRUE(found) << found.error().message;
+  std::vector<std::string> names;
+  for (const Interface& line : found->table.interfaces) {
+    names.push_back(line.name);
+    EXPECT_EQ(line.kind == InterfaceKind::contact,
+              line.name == "low_high" || line.name.starts_with("high_outline"))
+        << line.name;
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"low_outline", "low_high", "low_high_2",
+                                             "high_outline", "high_outline_2"}));
+}
+
 TEST(BuildRegionTable, OrdersAnInterfaceAlongItsChain) {
   const Input input = testing::shuffled(testing::input_of(testing::regular_polygon(50)), 3);
   const auto found = find(input);

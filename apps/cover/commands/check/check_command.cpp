@@ -148,10 +148,13 @@ Result<Subject> read_subject(CheckCommand& command, const Options& options, spdl
 /// The code of a whole check, of which `first` and then `second` was found out.
 int first_failure(int first, int second) { return first == exit_ok ? second : first; }
 
-int print_promises(const Verification& found, std::size_t triangles, bool quiet) {
+int print_promises(const Verification& found, const Pslg& pslg, std::size_t triangles, bool quiet) {
   fmt::print("{}", violations_text(found));
   if (!found.violations.empty()) return exit_unmet;
-  if (!quiet) fmt::print("{}", sound_text(found, triangles));
+  if (quiet) return exit_ok;
+  fmt::print("{}", sound_text(found, triangles));
+  if (pslg.names.size() > 1)
+    fmt::print("Not checked: which edges the mesh calls by the names of contacts\n");
   return exit_ok;
 }
 
@@ -176,7 +179,8 @@ std::optional<int> check_parts(const CheckCommand& command, const MeshSource& so
     return std::nullopt;
   subject.prepared.report = {};
   if (const auto parts = check_in_parts(subject.prepared, source.file(), command.verify, options))
-    return print_promises(parts->found, parts->triangles, command.verbosity.quiet);
+    return print_promises(parts->found, subject.prepared.pslg, parts->triangles,
+                          command.verbosity.quiet);
   log.info("{} is read as a whole, to say more", source.name());
   return std::nullopt;
 }
@@ -348,7 +352,7 @@ int check_whole(const CheckCommand& command, const std::string& mesh_path, Subje
   const auto cuts = take_own_cuts(mesh_path, mesh, verify, prepared, found);
   if (cuts && (!quiet || !cuts->are_meant)) fmt::print("{}", cuts_text(*cuts));
   print_hints(found, prepared.pslg, mesh.soup, verify.hull);
-  int code = print_promises(found, mesh.soup.triangles.size(), quiet);
+  int code = print_promises(found, prepared.pslg, mesh.soup.triangles.size(), quiet);
 
   // A piece of a segment is a side of its own to all that follows but for curves.
   const bool needs_pieces =
