@@ -284,6 +284,10 @@ class Mesh(Case):
                               r'--box-method cuts these sides\n +forced: from \(-1, 0\) to \(1, 0\), region 1\n')
         out, _ = self.run_cover('check', 'half.poly', 'd.vtm', '--box-method', code=6)
         self.assertIn('encroaches, 1 that the bound on angles forces, 0 on other sides', out)
+        # Methods that the box method does not go with are not told to take it.
+        out, _ = self.run_cover('mesh', 'half.poly', '-o', 'd.vtm', '--method', 'almond')
+        self.assertRegex(out, 'Box method +[1-9]')
+        self.assertNotIn('cuts these sides', out)
         # Grains: in ten regions a vertex has room only in cusps between two discs; in one of them there is none.
         self.run_cover('mesh', SAMPLES / 'grains.png', '-o', 'd.obj', '--report', 'r.json')
         box = json.loads((self.dir / 'r.json').read_text())['overall']['box']

@@ -108,10 +108,11 @@ std::string bound_text(const Report& report, std::size_t held) {
                      held, all);
 }
 
-bool is_asked_for_boxes(const Report& report) {
+/// Whether --box-method is not among the options yet, and goes with them.
+bool may_be_asked_for_boxes(const Report& report) {
   const auto& settings = report.provenance.settings;
-  return std::any_of(settings.begin(), settings.end(), [](const Provenance::Setting& setting) {
-    return setting.name == "box-method";
+  return std::none_of(settings.begin(), settings.end(), [](const Provenance::Setting& setting) {
+    return setting.name == "box-method" || (setting.name == "method" && setting.value != "quality");
   });
 }
 
@@ -139,16 +140,17 @@ std::string couplings_row(const Report& report) {
       fmt::format("Box method      {:>7}  {}", grouped(sum.negative_couplings),
                   sum.negative_couplings == 1 ? "negative coupling" : "negative couplings");
   if (sum.negative_couplings > 0)
-    out += fmt::format(": {} inside, {} on sides that the input {}, {}{} given up for angles{}",
-                       grouped(sum.negative_inside), grouped(sum.negative_encroached),
-                       has_layers ? "or layers encroach" : "encroaches",
-                       sum.negative_forced == 0 ? ""
-                                                : fmt::format("{} that the bound forces, ",
-                                                              grouped(sum.negative_forced)),
-                       grouped(sum.negative_given_up),
-                       is_asked_for_boxes(report) || sum.negative_couplings == sum.negative_inside
-                           ? ""
-                           : "; --box-method cuts these sides");
+    out +=
+        fmt::format(": {} inside, {} on sides that the input {}, {}{} given up for angles{}",
+                    grouped(sum.negative_inside), grouped(sum.negative_encroached),
+                    has_layers ? "or layers encroach" : "encroaches",
+                    sum.negative_forced == 0
+                        ? ""
+                        : fmt::format("{} that the bound forces, ", grouped(sum.negative_forced)),
+                    grouped(sum.negative_given_up),
+                    !may_be_asked_for_boxes(report) || sum.negative_couplings == sum.negative_inside
+                        ? ""
+                        : "; --box-method cuts these sides");
   const long excess = excess_of_unsigned_boxes(report);
   if (report.quality.obtuse > 0 && excess > 0)
     places += "\n                         solvers that add up unsigned boxes find " +
