@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include <spdlog/logger.h>
 
@@ -35,5 +36,7 @@ void log_notes(spdlog::logger& log, std::span<const Note> notes);
 
 /// 1234567 as 1,234,567.
 std::string grouped(std::size_t number);
+/// 1 and "region" as "1 region", 1234 as "1,234 regions".
+std::string plural(std::size_t count, std::string_view noun);
 
 }  // namespace cover::app

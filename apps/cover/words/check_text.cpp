@@ -53,10 +53,10 @@ std::string violations_text(const Verification& found) {
 
 std::string sound_text(const Verification& found, std::size_t triangles) {
   std::string text =
-      fmt::format("{}: {} triangles, {} region{}, {} segments whole",
+      fmt::format("{}: {}, {}, {} whole",
                   found.unchecked.empty() ? "Every promise holds" : "All that was checked holds",
-                  grouped(triangles), grouped(found.regions), found.regions == 1 ? "" : "s",
-                  grouped(found.segments_whole));
+                  plural(triangles, "triangle"), plural(found.regions, "region"),
+                  plural(found.segments_whole, "segment"));
   if (found.within_rounding > 0) {
     text += fmt::format("; {} of the regions meet the bound up to the rounding of coordinates",
                         grouped(found.within_rounding));

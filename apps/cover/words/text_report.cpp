@@ -23,10 +23,6 @@ namespace {
 constexpr std::size_t kRows = 20;
 using Align = TextTable::Align;
 
-std::string plural(std::size_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", grouped(count), noun, count == 1 ? "" : "s");
-}
-
 /// The first rows of a table: all, or those with the smallest key.
 template <class Key>
 std::vector<std::size_t> rows(std::size_t count, bool all, Key key) {

@@ -17,13 +17,12 @@ TEST(WalkAlmonds, KnowsTheApexByIdentityAndCocircularVertices) {
     EXPECT_EQ(reach.known_of(k).front().vertex, s.almonds[k].u);
     EXPECT_EQ(reach.known_of(k).back().vertex, s.almonds[k].v);
   }
-  // Flatter: the circle through (-4, 3) and (4, 3) over a chord seen under more than 120 degrees.
-  const Stages flat(testing::boundary_of(
-      {{{-12, 5}, {12, 5}, {5, 12}, {0, 13}, {-5, 12}}}));  // all on x^2 + y^2 = 169
+  // Flatter: all on x^2 + y^2 = 625, from where the lower side is seen under 143 degrees.
+  const Stages flat(testing::boundary_of({{{-15, 20}, {15, 20}, {7, 24}, {0, 25}, {-7, 24}}}));
   const Reach on_circle = walk_almonds(flat.cdt, flat.almonds);
   int lower_ones = 0;
   for (std::uint32_t k = 0; k < flat.almonds.size(); ++k) {
-    const bool lower = flat.almonds[k].from.y == 5 && flat.almonds[k].to.y == 5;
+    const bool lower = flat.almonds[k].from.y == flat.almonds[k].to.y;
     if (!lower || !flat.almonds[k].passes_apex()) continue;
     EXPECT_EQ(on_circle.known_of(k).size(), 5U);
     ++lower_ones;

@@ -24,6 +24,7 @@ TEST(CheckText, ASoundMesh) {
   found.segments_whole = 4;
   EXPECT_EQ(sound_text(found, 1234),
             "Every promise holds: 1,234 triangles, 1 region, 4 segments whole\n");
+  EXPECT_EQ(sound_text(found, 1), "Every promise holds: 1 triangle, 1 region, 4 segments whole\n");
   found.regions = 2;
   found.within_rounding = 1;
   found.unchecked = {"materials"};

@@ -185,6 +185,21 @@ TEST(Paint, AdviceOnThinVoidsLeavesOutThoseThatAreMeant) {
   EXPECT_EQ(closed->table.regions.size(), 9U);
 }
 
+/// A border that is off by a little does not make others, off by two hundred times it, look meant.
+TEST(Paint, AdviceOnThinVoidsIsForMostOfThem) {
+  Input input;
+  add_parcels({0.002, 1e-5, 0.002}, input);
+  const auto out = clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_TRUE(
+      out->tells("polygons leave 3 thin voids between them, with an area of 4.01 together"));
+  EXPECT_FALSE(out->tells("taken as meant"));
+  Options weld;
+  weld.weld = 8e-6;
+  EXPECT_TRUE(out->tells("with --weld 8e-06")) << out->report.notes.front().message;
+  EXPECT_FALSE(clean(input, weld)->tells("thin void"));
+}
+
 TEST(Paint, NoSmallerToleranceThanInForceIsAdvised) {
   Input input;
   add_parcels({0.06, 0.05}, input);
