@@ -102,7 +102,9 @@ class SchemeParser {
     skip_line();
     const std::string_view all = trimmed(text_.substr(first, at_ - first));
     const std::string_view word = all.substr(0, all.find_first_of(" \t"));
-    const std::string_view rest = trimmed(all.substr(word.size()));
+    const std::string_view condition = trimmed(all.substr(word.size()));
+    const std::size_t end = std::min(condition.find(';'), condition.find("//"));  // of a comment
+    const std::string_view rest = trimmed(condition.substr(0, end));
     if (word.substr(0, 3) == "#if") {
       const bool is_known = word == "#if" && (rest == "0" || rest == "1");
       if (!is_known && !is_left_out()) out_.conditions.push_back(line_);

@@ -210,10 +210,10 @@ std::optional<SchemeValue> SchemeEvaluator::special(const SchemeForm& form) {
     }
     return value;
   }
-  const auto goes_on = std::find_if(loops_.rbegin(), loops_.rend(),
-                                    [&](const Loop& loop) { return loop.tails.contains(&form); });
-  if (goes_on != loops_.rend()) {
-    goes_on->next = arguments(form);
+  for (std::size_t k = loops_.size(); k-- > 0;) {
+    if (!loops_[k].tails.contains(&form)) continue;
+    Values next = arguments(form);  // in which loops may begin and end, so that loops_ moves
+    loops_[k].next = std::move(next);
     return SchemeValue{};
   }
   return std::nullopt;

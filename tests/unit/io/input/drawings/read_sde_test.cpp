@@ -165,6 +165,10 @@ TEST(ReadSde, ConditionsOfThePreprocessor) {
   EXPECT_EQ(built("#if 0\n" + a + "#else\n" + b + "#endif\n" + c, &warning), "bc");
   EXPECT_EQ(warning, "");
   EXPECT_EQ(built("#if 1\n" + a + "  #if 0\n" + b + "#endif\n#else\n(\n#endif\n" + c), "ac");
+  EXPECT_EQ(built("#if 1 ; as it was\n" + a + "#endif\n#if 0 // off\n" + b + "#endif\n", &warning),
+            "a");
+  EXPECT_EQ(warning, "");
+  EXPECT_EQ(built("#if 1/x\n" + a + "#endif\n" + b), "b");
   EXPECT_EQ(built("#if 0\n" + a + "#elif 1\n" + b + "#else\n" + c + "#endif\n"), "b");
   EXPECT_EQ(built("#if @type@ == 1\n" + a + "#else\n" + b + "#endif\n" + c, &warning), "c");
   EXPECT_EQ(warning,
@@ -180,6 +184,14 @@ TEST(ReadSde, LoopsByLetWithAName) {
             200U);
   EXPECT_EQ(built("(let out ((i 0)) (cond ((< i 3) (let in ((j 0)) (if (< j i) (begin " + step +
                   " (in (+ j 1))) (out (+ i 1)))))))"),
+            "ppp");
+  // A loop among the arguments of the call that goes on.
+  EXPECT_EQ(built("(let loop ((i 0)) (if (< i 3) (begin " + step +
+                  " (loop (let in ((j i)) (if (< j (+ i 1)) (in (+ j 1)) j))))))"),
+            "ppp");
+  EXPECT_EQ(built("(define (next i) (let in ((j i)) (if (< j (+ i 1)) (in (+ j 1)) j)))\n"
+                  "(let loop ((i 0)) (if (< i 3) (begin " +
+                  step + " (loop (next i)))))"),
             "ppp");
   std::string warning;
   EXPECT_EQ(built("(let loop ((i 0)) (if (< i 3) (begin (loop (+ i 1)) " + step + ")))", &warning),
