@@ -15,12 +15,13 @@ void unite(std::vector<SegmentId>& list, const std::vector<std::uint32_t>& whole
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-/// Takes out the points from `first` on that no chord of an arc has. Returns the numbers of all.
+/// Takes out the points from `first` on that no chord of an arc has, nor one that was made straight
+/// since: both of its halves may be, around a point on the arc. Returns the numbers of all.
 std::vector<std::uint32_t> take_points_out(Pslg& pslg, std::size_t first) {
   std::vector<bool> stays(pslg.points.size(), false);
   std::fill_n(stays.begin(), first, true);
   for (const Segment& s : pslg.segments) {
-    if (circle_of(pslg, s) == nullptr) continue;
+    if (s.circle == 0) continue;
     stays[s.a.index()] = true;
     stays[s.b.index()] = true;
   }

@@ -16,7 +16,8 @@ struct United {
 };
 
 /// Takes points from `first` on out of `pslg` that cut straight segments, whose pieces become one
-/// again. Those on arcs stay, in their order: their chords are no straight line.
+/// again. Those on chords of arcs stay, in their order, also where these were made straight since:
+/// pieces of a chord are no straight line.
 ///
 /// REQUIRES: points from `first` on came from cut_segments(), and no segment is periodic
 /// ENSURES:  cut_segments() with the same points gives the same segments, points and table, but for

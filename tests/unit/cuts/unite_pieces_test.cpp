@@ -53,8 +53,8 @@ TEST(UnitePieces, TakesCutsBack) {
   }
 }
 
-/// A chord has a cut on its arc, and the second half one that lies on the chord: only this one
-/// goes, with those of straight segments.
+/// A chord has a cut on its arc, and its halves are made straight, one of them cut once more: what
+/// was a chord stays as it is, and straight segments are whole again.
 TEST(UnitePieces, LeavesPointsOnArcs) {
   Input input = testing::input_of({{-3, -3}, {3, -3}, {3, 3}, {-3, 3}});
   testing::add_circle(input, {0, 0}, 2, 6);
@@ -78,19 +78,20 @@ TEST(UnitePieces, LeavesPointsOnArcs) {
   chord = 0;
   while (!is_chord(pslg.segments[chord])) ++chord;
   cut(chord, on_arc);
+  straighten(pslg.segments[chord]);
   straighten(pslg.segments[chord + 1]);
   cut(chord + 1, midpoint(on_arc, at(whole.b)));
 
   const United united = unite_pieces(pslg, table, first);
-  EXPECT_EQ(pslg.points.size(), first + 1);
-  EXPECT_EQ(pslg.points.back(), on_arc);
-  EXPECT_EQ(pslg.segments.size(), prepared->pslg.segments.size() + 1);
+  EXPECT_EQ(pslg.points.size(), first + 2);
+  EXPECT_EQ(pslg.points[first], on_arc);
+  EXPECT_EQ(pslg.segments.size(), prepared->pslg.segments.size() + 2);
   EXPECT_EQ(united.number,
-            (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, kNone, 10, kNone}));
+            (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, kNone, 10, 11}));
   EXPECT_EQ(united.whole[chord + 1], united.whole[chord] + 1);
-  EXPECT_EQ(united.whole[chord + 2], united.whole[chord + 1]);
+  EXPECT_EQ(united.whole[chord + 2], united.whole[chord + 1] + 1);
   EXPECT_EQ(pslg.segments[united.whole[chord]].b, VertexId{first});
-  EXPECT_EQ(pslg.segments[united.whole[chord + 1]].b, whole.b);
+  EXPECT_EQ(pslg.segments[united.whole[chord + 2]].b, whole.b);
 }
 
 }  // namespace

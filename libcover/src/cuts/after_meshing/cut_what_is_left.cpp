@@ -27,7 +27,9 @@ Status cut_what_is_left(Work& work, const Options& options, const Callbacks& cal
     return status;
   for (const auto step : {cut_until_coupled, thin_cuts})
     if (Status status = step(again, options, callbacks); !status) return status;
-  if (obtuse_triangles(again.meshes) < obtuse_triangles(work.meshes)) work = std::move(again);
+  if (obtuse_triangles(again.meshes) < obtuse_triangles(work.meshes) &&
+      what_is_worse(work.meshes, again.meshes, options).empty())
+    work = std::move(again);
   return ok();
 }
 

@@ -105,7 +105,7 @@ ConformingMesh join(const Work& work, const Pslg& uncut, const United& united) {
   for (std::size_t s = 0; s < united.whole.size(); ++s) {
     if (!touches_a_region(work.table.sides[s])) continue;
     const Segment& piece = work.pslg.segments[s];
-    const bool is_chord = circle_of(work.pslg, piece) != nullptr;
+    const bool is_chord = piece.circle != 0;
     for (const VertexId v : {piece.a, piece.b}) {
       if (united.number[v.index()] == kNone) mesh.line[v.index()] = united.whole[s];
     }

@@ -11,6 +11,7 @@
 #include <span>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/core.h>
@@ -139,6 +140,13 @@ bool loses_a_bound(const std::vector<RegionMesh>& before, const std::vector<Regi
   return false;
 }
 
+constexpr std::string_view kNoneAway = "no vertices were taken away again: ";
+
+/// What an earlier attempt said is not so any longer.
+void forget_none_away(Report& report) {
+  std::erase_if(report.notes, [](const Note& note) { return note.message.starts_with(kNoneAway); });
+}
+
 /// What cuts are there now, and what went.
 void tell(const Pslg& pslg, std::size_t first, std::size_t before, std::size_t after,
           const Options& options, Report& report) {
@@ -229,17 +237,10 @@ class Thinning {
       return;
     }
     measure_again(thin, options_);
-    if (const std::size_t left = obtuse_triangles(thin.meshes);
-        left > obtuse_triangles(work_.meshes)) {
-      trial.fault = counted(left, "triangle") + " would be obtuse";
-    } else if (options_.box_method && has_more_couplings(work_.meshes, thin.meshes)) {
-      trial.fault = "more couplings would be negative";
-    } else if (loses_a_bound(work_.meshes, thin.meshes)) {
-      trial.fault = "a region would lose its bound";
-    } else {
-      trial.bad = left;
-      trial.work = std::move(thin);
-    }
+    trial.fault = what_is_worse(work_.meshes, thin.meshes, options_);
+    if (!trial.fault.empty()) return;
+    trial.bad = obtuse_triangles(thin.meshes);
+    trial.work = std::move(thin);
   }
 
   const Work& work_;
@@ -302,6 +303,15 @@ std::size_t obtuse_triangles(const std::vector<RegionMesh>& meshes) {
   return count;
 }
 
+std::string what_is_worse(const std::vector<RegionMesh>& before,
+                          const std::vector<RegionMesh>& after, const Options& options) {
+  if (const std::size_t left = obtuse_triangles(after); left > obtuse_triangles(before))
+    return counted(left, "triangle") + " would be obtuse";
+  if (options.box_method && has_more_couplings(before, after))
+    return "more couplings would be negative";
+  return loses_a_bound(before, after) ? "a region would lose its bound" : "";
+}
+
 bool wants_thinning(const Prepared& prepared, const std::vector<RegionBoundary>& boundaries,
                     const Options& options) {
   const Pslg& pslg = prepared.pslg;
@@ -331,12 +341,13 @@ Status thin_cuts(Work& work, const Options& options, const Callbacks& callbacks)
     }
     if (best) {
       work = *std::move(best->work);
+      forget_none_away(work.report);
       tell(work.pslg, work.report.input_points, best->before, best->after, options, work.report);
       return ok();
     }
     if (fault.empty()) return ok();
-    work.report.notes.push_back(
-        {Note::Kind::warning, kVoid, "no vertices were taken away again: " + fault, {}});
+    forget_none_away(work.report);
+    work.report.notes.push_back({Note::Kind::warning, kVoid, std::string(kNoneAway) + fault, {}});
     return ok();
   });
 }

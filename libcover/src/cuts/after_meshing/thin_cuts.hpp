@@ -1,6 +1,7 @@
 // Fewer vertices where no angle is obtuse.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <cover/options.hpp>
@@ -19,6 +20,12 @@ bool wants_thinning(const Prepared& prepared, const std::vector<RegionBoundary>&
 
 /// In all regions together.
 std::size_t obtuse_triangles(const std::vector<RegionMesh>& meshes);
+
+/// What would be worse in words; empty: nothing that makes up for no angle. More triangles would be
+/// obtuse, with the box method more couplings negative, or promise 3 would not hold in a region any
+/// longer.
+std::string what_is_worse(const std::vector<RegionMesh>& before,
+                          const std::vector<RegionMesh>& after, const Options& options);
 
 /// Takes away, over segments too, vertices that no right angle needs, merges and moves others, and
 /// mends obtuse triangles that are left. Points of the input stay. No more triangles are obtuse
