@@ -150,15 +150,40 @@ std::string made_name(const RegionTable& table, const Key& key) {
   }
 }
 
-/// A name that the input gives a line is no other line's: solvers put electrodes on it.
-std::string name_of(const Pslg& pslg, const RegionTable& table, const Key& key,
-                    const std::set<std::string_view>& given) {
-  if (kind_of(key) == InterfaceKind::contact) return pslg.names[key.name];
-  const std::string made = made_name(table, key);
-  std::string name = made;
-  for (int k = 2; given.contains(name); ++k) name = fmt::format("{}_{}", made, k);
-  return name;
-}
+/// Names lines. A name that the input gives is no other line's, as solvers put electrodes on it: a
+/// made one gives way, to what is no made name of another line either.
+class Namer {
+ public:
+  using Keyed = std::vector<std::pair<Key, SegmentId>>;
+
+  /// REQUIRES: all outlive this
+  Namer(const Pslg& pslg, const RegionTable& table, const Keyed& keyed)
+      : pslg_(pslg), table_(table), keyed_(keyed), given_(pslg.names.begin(), pslg.names.end()) {}
+
+  std::string name_of(const Key& key) {
+    if (kind_of(key) == InterfaceKind::contact) return pslg_.names[key.name];
+    std::string made = made_name(table_, key);
+    if (!given_.contains(made)) return made;
+    if (made_.empty()) collect_made();
+    std::string name;
+    for (int k = 2; name.empty() || given_.contains(name) || !made_.insert(name).second; ++k)
+      name = fmt::format("{}_{}", made, k);
+    return name;
+  }
+
+ private:
+  void collect_made() {
+    for (const auto& [key, segment] : keyed_) {
+      if (kind_of(key) != InterfaceKind::contact) made_.insert(made_name(table_, key));
+    }
+  }
+
+  const Pslg& pslg_;
+  const RegionTable& table_;
+  const Keyed& keyed_;
+  std::set<std::string_view> given_;
+  std::set<std::string> made_;  ///< empty until one is to give way
+};
 
 }  // namespace
 
@@ -169,7 +194,7 @@ void build_interfaces(const Pslg& pslg, RegionTable& table) {
     if (key.left != kVoid) keyed.emplace_back(key, SegmentId{s});
   }
   if (!std::is_sorted(keyed.begin(), keyed.end())) std::sort(keyed.begin(), keyed.end());
-  const std::set<std::string_view> given(pslg.names.begin(), pslg.names.end());
+  Namer namer(pslg, table, keyed);
   std::vector<SegmentId> group;
   StepsAtVertices at(pslg.points.size());
   for (std::size_t k = 0; k < keyed.size();) {
@@ -179,7 +204,7 @@ void build_interfaces(const Pslg& pslg, RegionTable& table) {
     Interface line;
     line.id = InterfaceId{table.interfaces.size() + 1};
     line.kind = kind_of(key);
-    line.name = name_of(pslg, table, key, given);
+    line.name = namer.name_of(key);
     line.left = key.left;
     line.right = key.right;
     line.segments = Chains(pslg, table, key.left, group, at).in_order();

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -198,6 +200,24 @@ TEST(BuildRegionTable, NamesOfTheInputAreNoOtherLines) {
   }
   EXPECT_EQ(names, (std::vector<std::string>{"low_outline", "low_high", "low_high_2",
                                              "high_outline", "high_outline_2"}));
+}
+
+/// Three strips, of which the third is called as the line between the others would be next.
+TEST(BuildRegionTable, MadeNamesThatGiveWayAreNoOtherLinesEither) {
+  Input input;
+  for (int k = 0; k < 3; ++k) {
+    const double y = k;
+    add_loop(input, {{0, y}, {4, y}, {4, y + 1}, {0, y + 1}});
+  }
+  input.segments[0].name = "a_b";  // the bottom
+  input.seeds = {seed({2, 1.5}, "m", 1, "a"), seed({2, 0.5}, "m", 2, "b"),
+                 seed({2, 2.5}, "m", 3, "b_2")};
+  const auto found = find(input);
+  ASSERT_TRUE(found) << found.error().message;
+  std::set<std::string> names;
+  for (const Interface& line : found->table.interfaces)
+    EXPECT_TRUE(names.insert(line.name).second) << line.name;
+  EXPECT_TRUE(names.contains("a_b") && names.contains("a_b_2") && names.contains("a_b_3"));
 }
 
 TEST(BuildRegionTable, OrdersAnInterfaceAlongItsChain) {
