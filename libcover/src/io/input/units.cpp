@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -86,10 +87,14 @@ Status scale_input(Input& input, double factor) {
     scale(p.x);
     scale(p.y);
   });
+  // A size beyond all doubles is no limit, as the largest one is.
+  const auto scaled_size = [&](double size) {
+    return std::min(scaled(size), std::numeric_limits<double>::max());
+  };
   for (RegionSeed& seed : input.seeds)
-    if (seed.size) seed.size = scaled(*seed.size);
+    if (seed.size) seed.size = scaled_size(*seed.size);
   for (InputPolygon& polygon : input.polygons)
-    if (polygon.size) polygon.size = scaled(*polygon.size);
+    if (polygon.size) polygon.size = scaled_size(*polygon.size);
   if (input.field) {
     PlaneField field = *input.field;
     for (Point& p : field.points) p = {scaled(p.x), scaled(p.y)};

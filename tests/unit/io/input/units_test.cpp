@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,6 +44,16 @@ TEST(ScaleInput, TakesPowersOfTwoExactly) {
   ASSERT_TRUE(scale_input(input, 0x1p-70));
   EXPECT_EQ(input.points[0].x, 45 * 0x1p-70);
   EXPECT_TRUE(input.warnings.empty());
+}
+
+/// Such a size stands for none; a check of the input would refuse an infinite one.
+TEST(ScaleInput, SizesStayFinite) {
+  Input input = everything();
+  input.seeds[0].size = 1e308;
+  input.polygons[0].size = 1e308;
+  ASSERT_TRUE(scale_input(input, 1000));
+  EXPECT_EQ(input.seeds[0].size, std::numeric_limits<double>::max());
+  EXPECT_EQ(input.polygons[0].size, std::numeric_limits<double>::max());
 }
 
 TEST(ScaleInput, TellsHowManyCoordinatesOtherFactorsRound) {

@@ -325,7 +325,7 @@ bool PolyReader::read_regions(Input& input) {
                                 hint_at_comma(f[4])));
       }
       // The edge length of the equilateral triangle of that area.
-      if (*area > 0) seed.size = std::sqrt(*area * 4 / std::numbers::sqrt3);
+      if (*area > 0) seed.size = 2 * std::sqrt(*area / std::numbers::sqrt3);
     }
     check_surplus("a region", 5);
     input.seeds.push_back(std::move(seed));

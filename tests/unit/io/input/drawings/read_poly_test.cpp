@@ -69,6 +69,13 @@ TEST(ReadPoly, ReadsEverySection) {
   EXPECT_EQ(input->void_rule, VoidRule::holes_only);
 }
 
+/// An area that stands for no limit is one still as a length.
+TEST(ReadPoly, TheLargestAreasAreFiniteSizes) {
+  const auto input = read_poly_files("3 2\n1 0 0\n2 1 0\n3 0 1\n0\n0\n1\n1 0.2 0.2 1 1e308\n");
+  ASSERT_TRUE(input) << input.error().message;
+  EXPECT_NEAR(input->seeds[0].size.value(), 1.52e154, 1e152);
+}
+
 TEST(ReadPoly, TheMarkOfUtf8IsPassed) {
   const auto input = read_poly_files(
       "\xef\xbb\xbf"
