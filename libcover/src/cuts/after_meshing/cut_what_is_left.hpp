@@ -11,8 +11,8 @@ namespace cover {
 
 /// Where triangles are obtuse after thin_cuts(): segments are cut in rounds as far as
 /// cut_until_met() goes, and vertices are taken away again. The mesh with fewer obtuse triangles is
-/// kept, unless what_is_worse() objects. Does nothing where there are so many points that this takes
-/// as long as all before it.
+/// kept, unless what_is_worse() objects. Does nothing where there are so many points that this
+/// takes as long as all before it.
 ///
 /// Errors:  cancelled, internal
 /// Cost:    that of cut_until_met(), cut_until_coupled() and thin_cuts()
