@@ -16,6 +16,18 @@ class Periodic(Case):
         super().setUp()
         self.write('cell.json', json.dumps(self.CELL))
 
+    def test_says_which_files_do_not_hold_pairs(self):
+        told = "pairs on periodic sides ('left=1' and 'right') are not in a.xdmf, a.inp, a.mesh: formats that hold them are "
+        rule = ('--periodic', '"left=1"=right')
+        _, err = self.run_cover('mesh', 'cell.json', *rule, *(w for e in ('xdmf', 'vtu', 'inp', 'mesh') for w in ('-o', 'a.' + e)))
+        self.assertIn(told, err)
+        self.assertEqual(err.count('periodic'), 1)
+        for names in (('a.vtu', 'a.msh'), ('a.inp', 'a.json')):
+            _, err = self.run_cover('mesh', 'cell.json', *rule, *(w for name in names for w in ('-o', name)))
+            self.assertNotIn('periodic', err)
+        _, err = self.run_cover('convert', 'a.vtu', '-o', 'b.msh', '-o', 'b.inp')
+        self.assertIn("pairs on periodic sides ('left=1' and 'right') are not in b.inp: ", err)
+
     def test_what_cuts_one_side_cuts_the_other(self):
         out, _ = self.run_cover('mesh', 'cell.json', '--periodic', '"left=1"=right', '--split-interfaces', '--size', '0.3',
                                 '--size-at', 'right=0.1', '-o', 'a.msh', '-o', 'a.json', '-o', 'a.vtk')

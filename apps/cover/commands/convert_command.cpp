@@ -6,7 +6,9 @@
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
+#include <cover/options.hpp>
 #include <cover/output.hpp>
+#include <cover/periodic.hpp>
 #include <cover/read_mesh.hpp>
 #include <cover/result.hpp>
 #include <cover/text.hpp>
@@ -62,7 +64,9 @@ Examples:
   if (!mesh) return fail(*log, source->named(mesh.error()));
   for (Note& note : mesh->report.notes) note.message = source->named(std::move(note.message));
   log_notes(*log, mesh->report.notes);
-  for (const std::string& warning : files.warnings(mesh->table.attributes, mesh->fields))
+  std::vector<PeriodicRule> periodic;
+  for (const PeriodicNodes& nodes : mesh->periodic) periodic.push_back(nodes.rule);
+  for (const std::string& warning : files.warnings(mesh->table.attributes, mesh->fields, periodic))
     log->warn("{}", warning);
   if (const std::string rounded = files.rounding(*mesh); !rounded.empty()) log->warn("{}", rounded);
   const Status done = files.write(*mesh, interrupt.token(), ShowProgress::off, *log);

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include <cover/periodic.hpp>
 #include <cover/text.hpp>
 #include <cover/write_mesh.hpp>
 
@@ -88,9 +89,9 @@ Status OutputFiles::can_hold_periodic() const {
   return status;
 }
 
-std::vector<std::string> OutputFiles::warnings(
-    const std::vector<Attribute>& attributes,
-    std::span<const PlaneField::Array> values_at_points) const {
+std::vector<std::string> OutputFiles::warnings(const std::vector<Attribute>& attributes,
+                                               std::span<const PlaneField::Array> values_at_points,
+                                               std::span<const PeriodicRule> periodic) const {
   std::vector<std::string> sentences = formats_.ignored(meshes_, format_);
   if (format_option_ != nullptr && format_option_->count() > 0 && !has_stdout())
     sentences.emplace_back("--format does nothing: it counts with '-o -' only");
@@ -102,8 +103,12 @@ std::vector<std::string> OutputFiles::warnings(
     for (const auto& one : all) names.push_back(one.name);
     return names;
   };
-  if (!has_manifest)
+  if (!has_manifest) {
+    std::vector<std::string> sides;
+    for (const PeriodicRule& rule : periodic) sides.push_back(describe(rule));
     sentences.push_back(lost("attributes", names_of(attributes), attribute_formats()));
+    sentences.push_back(lost("pairs on periodic sides", sides, periodic_formats()));
+  }
   sentences.push_back(lost("values at points", names_of(values_at_points), value_formats()));
   std::erase_if(sentences, [](const std::string& sentence) { return sentence.empty(); });
   return sentences;

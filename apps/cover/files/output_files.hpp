@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cover/attribute.hpp>
+#include <cover/options.hpp>
 #include <cover/output.hpp>
 #include <cover/result.hpp>
 #include <cover/stream_mesh.hpp>
@@ -57,11 +58,12 @@ class OutputFiles {
   /// Errors: bad_option
   [[nodiscard]] Status can_hold_periodic() const;
 
-  /// What is lost without harm, a sentence each: options that do nothing, `attributes` that stand
-  /// in no manifest and that a file cannot hold, and values at points that none of them can.
+  /// What is lost without harm, a sentence each: options that do nothing, `attributes` and pairs on
+  /// `periodic` sides that stand in no manifest and that a file cannot hold, and values at points
+  /// that none of them can.
   [[nodiscard]] std::vector<std::string> warnings(
-      const std::vector<Attribute>& attributes,
-      std::span<const PlaneField::Array> values_at_points) const;
+      const std::vector<Attribute>& attributes, std::span<const PlaneField::Array> values_at_points,
+      std::span<const PeriodicRule> periodic) const;
   /// Where a file cannot hold all digits of coordinates: a sentence that tells; else empty.
   [[nodiscard]] std::string rounding(const Output& output) const;
 

@@ -44,6 +44,9 @@ std::vector<std::string> attribute_formats();
 /// Those of write_formats() that hold Output::fields.
 std::vector<std::string> value_formats();
 
+/// Those of write_formats() that hold Output::periodic.
+std::vector<std::string> periodic_formats();
+
 /// Those of write_formats() in which solvers find regions and lines by the numbers of groups.
 std::vector<std::string> number_formats();
 

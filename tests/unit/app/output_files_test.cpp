@@ -60,19 +60,32 @@ TEST(OutputFiles, WhatCannotBeWrittenIsKnownBefore) {
 
 TEST(OutputFiles, WarnsOfWhatIsLost) {
   const std::vector<Attribute> attributes{{"owner", false, {}, {}}};
-  EXPECT_EQ(Asked({"-o", "a.vtu"}).files.warnings(attributes, {}), Strings{});
-  EXPECT_EQ(Asked({"-o", "a.inp"}).files.warnings({}, {}), Strings{});
-  EXPECT_EQ(Asked({"-o", "a.inp", "-o", "a.json"}).files.warnings(attributes, {}), Strings{});
-  const Strings lost = Asked({"-o", "-", "--format", "inp"}).files.warnings(attributes, {});
+  EXPECT_EQ(Asked({"-o", "a.vtu"}).files.warnings(attributes, {}, {}), Strings{});
+  EXPECT_EQ(Asked({"-o", "a.inp"}).files.warnings({}, {}, {}), Strings{});
+  EXPECT_EQ(Asked({"-o", "a.inp", "-o", "a.json"}).files.warnings(attributes, {}, {}), Strings{});
+  const Strings lost = Asked({"-o", "-", "--format", "inp"}).files.warnings(attributes, {}, {});
   ASSERT_EQ(lost.size(), 1u);
   EXPECT_EQ(lost[0].find("attributes (owner) are not in standard output: "), 0u) << lost[0];
   const std::vector<PlaneField::Array> doping{{"Net", {}}};
-  EXPECT_EQ(Asked({"-o", "a.vtk", "-o", "b.poly", "-o", "c.svg"}).files.warnings({}, doping),
+  EXPECT_EQ(Asked({"-o", "a.vtk", "-o", "b.poly", "-o", "c.svg"}).files.warnings({}, doping, {}),
             Strings{});
-  const Strings values = Asked({"-o", "a.mesh", "-o", "a.json"}).files.warnings({}, doping);
+  const Strings values = Asked({"-o", "a.mesh", "-o", "a.json"}).files.warnings({}, doping, {});
   ASSERT_EQ(values.size(), 1u);
   EXPECT_EQ(values[0].find("values at points (Net) are not in a.mesh: "), 0u) << values[0];
-  const Strings idle = Asked({"-o", "a.vtu", "--xdmf", "hdf5"}).files.warnings({}, {});
+  std::vector<PeriodicRule> sides(1);
+  sides[0].from = "left";
+  sides[0].to = "right";
+  EXPECT_EQ(Asked({"-o", "a.msh", "-o", "b.pvtu", "-o", "c.vtkhdf"}).files.warnings({}, {}, sides),
+            Strings{});
+  EXPECT_EQ(Asked({"-o", "a.inp", "-o", "a.json"}).files.warnings({}, {}, sides), Strings{});
+  const Strings pairs = Asked({"-o", "a.xdmf", "-o", "b.vtu", "-o", "c.inp", "-o", "d.mesh"})
+                            .files.warnings({}, {}, sides);
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs[0],
+            "pairs on periodic sides ('left' and 'right') are not in a.xdmf, c.inp, d.mesh: "
+            "formats that hold them are "
+            ".vtu, .vtm, .vtkhdf, .vtk, .msh, .pvtu, .json");
+  const Strings idle = Asked({"-o", "a.vtu", "--xdmf", "hdf5"}).files.warnings({}, {}, {});
   EXPECT_EQ(idle, Strings{"--xdmf does nothing: it counts with .xdmf only"});
 }
 

@@ -16,6 +16,7 @@
 #include <cover/estimate.hpp>
 #include <cover/options.hpp>
 #include <cover/packing.hpp>
+#include <cover/periodic.hpp>
 #include <cover/progress.hpp>
 #include <cover/read_size_field.hpp>
 #include <cover/regions.hpp>
@@ -346,14 +347,16 @@ int run(const MeshCommand& command, Input input, const Options& options,
 }
 
 /// Tells what was read, and what of the command line has no effect on it.
-void log_input(const MeshCommand& command, const Input& input, spdlog::logger& log) {
+void log_input(const MeshCommand& command, const Input& input, const Options& options,
+               spdlog::logger& log) {
   log.info("read {}: {} points, {} segments, {} polygons, {} lines", command.input.path(),
            input.points.size(), input.segments.size(), input.polygons.size(), input.lines.size());
   for (const std::string& option : command.library.ignored()) log.warn("{}", option);
   for (const std::string& option : command.input.ignored()) log.warn("{}", option);
   const std::vector<PlaneField::Array> none;
   const auto& values = input.field ? input.field->arrays : none;
-  for (const std::string& warning : command.files.warnings(input.attributes, values))
+  for (const std::string& warning :
+       command.files.warnings(input.attributes, values, periodic_rules(input, options)))
     log.warn("{}", warning);
 }
 
@@ -389,7 +392,7 @@ int run_mesh(Arguments arguments, const OtherProcesses& others) {
     return usage_error(command.app, hold.error().message);
   if (const Status status = load_size_field(*options, *input); !status)
     return fail(*log, status.error());
-  log_input(command, *input, *log);
+  log_input(command, *input, *options, *log);
   return command.dry_run ? dry_run(command, *input, *options, *log)
                          : run(command, *std::move(input), *options, others, *log);
 }

@@ -31,6 +31,7 @@ struct Format {
   /// Of regions. Only .vtm, .vtkhdf and .json hold the words of text; others number them.
   bool attributes = false;
   bool values = false;       ///< at points
+  bool periodic = false;     ///< which vertices are images of each other
   bool numbers = false;      ///< solvers find regions and lines by the numbers of groups
   bool second_order = true;  ///< can hold triangles with six nodes, or no triangles at all
   Files files = Files::one;
@@ -43,25 +44,37 @@ Status write_clean_input(const Output& output, const std::string& path,
 }
 
 constexpr std::array kFormats{
-    Format{.extension = ".vtu", .write = write_vtu, .attributes = true, .values = true},
+    Format{.extension = ".vtu",
+           .write = write_vtu,
+           .attributes = true,
+           .values = true,
+           .periodic = true},
     Format{.extension = ".vtm",
            .write = write_vtm,
            .attributes = true,
            .values = true,
+           .periodic = true,
            .files = Files::several,
            .companions = {""}},
-    Format{.extension = ".vtkhdf", .write = write_vtkhdf, .attributes = true, .values = true},
-    Format{.extension = ".vtk", .write = write_vtk, .values = true, .numbers = true},
+    Format{.extension = ".vtkhdf",
+           .write = write_vtkhdf,
+           .attributes = true,
+           .values = true,
+           .periodic = true},
+    Format{
+        .extension = ".vtk", .write = write_vtk, .values = true, .periodic = true, .numbers = true},
     Format{.extension = ".msh",
            .write = write_msh,
            .attributes = true,
            .values = true,
+           .periodic = true,
            .numbers = true,
            .files = Files::one_or_parts},
     Format{.extension = ".pvtu",
            .write = write_pvtu,
            .attributes = true,
            .values = true,
+           .periodic = true,
            .files = Files::several,
            .companions = {".parts"}},
     Format{.extension = ".xdmf",
@@ -80,7 +93,7 @@ constexpr std::array kFormats{
     Format{.extension = ".obj", .write = write_obj, .second_order = false},
     Format{.extension = ".off", .write = write_off, .second_order = false},
     Format{.extension = ".ply", .write = write_ply, .second_order = false},
-    Format{.extension = ".json", .write = write_manifest, .attributes = true},
+    Format{.extension = ".json", .write = write_manifest, .attributes = true, .periodic = true},
     Format{.extension = ".poly", .write = write_clean_input},
 };
 
@@ -170,6 +183,10 @@ std::vector<std::string> attribute_formats() {
 
 std::vector<std::string> value_formats() {
   return formats_with([](const Format& format) { return format.values; });
+}
+
+std::vector<std::string> periodic_formats() {
+  return formats_with([](const Format& format) { return format.periodic; });
 }
 
 std::vector<std::string> number_formats() {
