@@ -40,6 +40,18 @@ class Render(Case):
         self.assertGreater(len(set(re.findall('fill="(#[0-9a-f]{6})"', pictures[0]))), 10)
         self.assertEqual(*(re.findall('<path fill=[^/]*/>', pictures[k]) for k in (0, 2)))
 
+    def test_angles_where_the_file_has_none(self):
+        self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.msh', '-o', 'd.inp', '-o', 'd.mesh', '-o', 'd.vtm', '-q')
+        for name in ('max_angle', 'min_angle'):
+            pictures = []
+            for mesh in ('d.vtu', 'd.msh', 'd.inp', 'd.mesh', 'd.vtm'):
+                self.run_cover('render', mesh, '-o', 'p.svg', '--color', name, '--title', 't')
+                pictures.append((self.dir / 'p.svg').read_text())
+            # Of 64 colours those that are seen, and the ends of the bar.
+            seen = [(re.findall('<path fill="(#[0-9a-f]{6})"', text), re.findall(r'>([0-9.]+)</text>', text)) for text in pictures]
+            self.assertGreater(len(set(seen[0][0])), 10)
+            self.assertEqual(seen, seen[:1] * len(seen))
+
     def test_unknown_array(self):
         _, err = self.run_cover('render', 'd.vtu', '-o', 'd.png', '--color', 'stress', code=2)
         self.assertIn("the mesh has no array 'stress'; it has", err)

@@ -24,6 +24,7 @@
 #include "picture/parts/legend.hpp"
 #include "picture/parts/mesh_lines.hpp"
 #include "picture/parts/palette.hpp"
+#include "picture/parts/triangle_angles.hpp"
 
 namespace cover {
 namespace {
@@ -45,14 +46,6 @@ std::string name_of(const std::map<std::int64_t, std::string>& names, std::int64
                     std::string_view kind) {
   const auto found = names.find(id);
   return found != names.end() ? found->second : fmt::format("{} {}", kind, id);
-}
-
-/// Largest angle of a triangle in degrees.
-double largest_angle(const TriangleSoup& soup, std::size_t t) {
-  const auto& [a, b, c] = soup.triangles[t];
-  const Point p = soup.points[a], q = soup.points[b], r = soup.points[c];
-  return Angle::radians(std::max({angle_at(q, p, r), angle_at(r, q, p), angle_at(p, r, q)}))
-      .in_degrees();
 }
 
 /// Builds the drawing item by item.
@@ -248,8 +241,8 @@ class Composer {
     if (has_key()) draw_legend(legend_, drawing_);
   }
 
-  /// By triangle. Some formats hold regions and materials otherwise than in arrays. Of values at
-  /// points the mean of three corners.
+  /// By triangle. Some formats hold regions and materials otherwise than in arrays, and many no
+  /// angles. Of values at points the mean of three corners.
   [[nodiscard]] Result<std::vector<double>> values_to_show() const {
     std::vector<std::string> names;
     for (const CellArray& array : mesh_.mesh.arrays) {
@@ -265,6 +258,11 @@ class Composer {
     for (const PlaneField::Array& array : mesh_.mesh.point_arrays) {
       if (array.name == options_.color) return means_of_corners(array.values);
       names.push_back(array.name);
+    }
+    for (const auto& [name, angles_of] :
+         {std::pair("max_angle", &largest_angles), std::pair("min_angle", &smallest_angles)}) {
+      if (name == options_.color) return angles_of(soup_);
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
     }
     return bad_option(
         fmt::format("the mesh has no array '{}'; it has {}", options_.color, listed(names)));

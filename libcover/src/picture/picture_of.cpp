@@ -8,21 +8,10 @@
 #include <utility>
 
 #include "geom/vector.hpp"
+#include "picture/parts/triangle_angles.hpp"
 
 namespace cover {
 namespace {
-
-CellArray angles(const TriangleSoup& soup, const char* name, bool largest) {
-  CellArray array{name, {}};
-  for (const auto& [a, b, c] : soup.triangles) {
-    const Point p = soup.points[a], q = soup.points[b], r = soup.points[c];
-    const double at_p = angle_at(q, p, r), at_q = angle_at(r, q, p), at_r = angle_at(p, r, q);
-    array.values.push_back(
-        Angle::radians(largest ? std::max({at_p, at_q, at_r}) : std::min({at_p, at_q, at_r}))
-            .in_degrees());
-  }
-  return array;
-}
 
 /// By triangle: the nodes of its edges, from the first on.
 std::vector<std::array<Point, 3>> middles_of(const Output& output, const TriangleSoup& soup) {
@@ -58,8 +47,8 @@ PictureMesh picture_of(const Output& output, int order) {
   picture.mesh.soup = triangle_soup(output.mesh);
   if (order == 2) picture.mesh.middles = middles_of(output, picture.mesh.soup);
   picture.unit = output.report.unit;
-  picture.mesh.arrays = {angles(picture.mesh.soup, "max_angle", true),
-                         angles(picture.mesh.soup, "min_angle", false)};
+  picture.mesh.arrays = {{"max_angle", largest_angles(picture.mesh.soup)},
+                         {"min_angle", smallest_angles(picture.mesh.soup)}};
   for (const Attribute& attribute : output.table.attributes)
     picture.mesh.arrays.push_back(by_triangle(attribute, picture.mesh.soup));
   picture.mesh.point_arrays = output.fields;

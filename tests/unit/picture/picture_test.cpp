@@ -1,6 +1,7 @@
 #include <cover/picture.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 
@@ -158,13 +159,30 @@ TEST(Picture, ManyRegionsAreListedByMaterial) {
   EXPECT_EQ(count(*svg, ">oxide, 150 regions<"), 1U);
 }
 
+TEST(Picture, AnglesAreFoundWhereTheFileHasNone) {
+  PictureMesh mesh = two_squares();
+  mesh.mesh.soup.points[5] = {0, 0.5};
+  PictureMesh with_array = mesh;
+  with_array.mesh.arrays = {{"max_angle", {90, 0, 90, 90}}};
+  with_array.mesh.arrays[0].values[1] = 180 - 2 * Angle::radians(std::atan(0.5)).in_degrees();
+  PictureOptions options;
+  options.color = "max_angle";
+  EXPECT_NE(*svg_text(mesh, options), *svg_text(with_array, options)) << "an array comes first";
+  with_array.mesh.arrays[0].values[1] = 90 + Angle::radians(std::atan(0.5)).in_degrees();
+  EXPECT_EQ(*svg_text(mesh, options), *svg_text(with_array, options));
+  options.color = "min_angle";
+  EXPECT_TRUE(svg_text(mesh, options));
+}
+
 TEST(Picture, MistakesAreExplained) {
   PictureOptions options;
   options.color = "stress";
   auto svg = svg_text(two_squares(), options);
   ASSERT_FALSE(svg);
   EXPECT_EQ(svg.error().code, ErrorCode::bad_option);
-  EXPECT_EQ(svg.error().message, "the mesh has no array 'stress'; it has load, RegionId, material");
+  EXPECT_EQ(svg.error().message,
+            "the mesh has no array 'stress'; it has load, RegionId, material, max_angle, "
+            "min_angle");
   options = {};
   options.window = {{1, 1}, {1, 2}};
   svg = svg_text(two_squares(), options);
