@@ -195,19 +195,34 @@ class DryRun(Case):
         self.assertAlmostEqual(report['regions'][0]['gamma_opt'], 62.14824277768956)
         self.assertEqual(len(report['interfaces']), 9)
         self.assertEqual(self.files(), [])
+        about, text = report['estimate'], self.run_cover('mesh', SAMPLES / 'diode.poly', '--dry-run')[0]
+        told = re.search(r'A mesh takes about ([0-9,]+) triangles and ([0-9,]+) MB of memory, of ([0-9,]+) MB\n', text)
+        told = [float(number.replace(',', '')) for number in told.groups()]
+        self.assertAlmostEqual(told[0] / about['triangles'], 1, delta=0.05)
+        self.assertEqual(told[1], about['bytes'] // 1e6)
+        self.assertAlmostEqual(told[2] / about['available_bytes'] * 1e6, 1, delta=0.5)
+        self.assertFalse(about['by_disks'])
 
+    def test_report_is_not_written(self):
+        for words in ((), ('--stats', 'json')):
+            _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '--report', 'r.json', '--dry-run', *words)
+            self.assertIn('--report writes nothing in a dry run', err)
+            self.assertEqual(self.files(), [])
 
     def test_estimate(self):
         self.write('s.poly', SQUARE)
         fine = ('--split-interfaces', '--size', '0.02')
         out, _ = self.run_cover('mesh', 's.poly', '-o', 's.vtu', '--dry-run', *fine)
-        about = float(re.search(r'A mesh takes about ([0-9.e+]+) triangles and \d+ MB of memory, of [\d,]+ MB\b', out)[1])
+        about = float(re.search(r'A mesh takes about ([0-9,]+) triangles and \d+ MB of memory, of [\d,]+ MB\b', out)[1].replace(',', ''))
         made, _ = self.run_cover('mesh', 's.poly', '-o', 's.vtu', *fine)
         made = float(re.match(r'([0-9,]+) triangles', made)[1].replace(',', ''))
         self.assertLess(abs(about - made), 0.3 * made)
         self.assertNotIn('disks', out)
         out, _ = self.run_cover('mesh', SAMPLES / 'plate.poly', '-o', 's.vtu', '--dry-run', '--method', 'nonobtuse')
-        self.assertRegex(out, r'A mesh takes about 1.1e\+03 triangles .*, ten times that where disks must fit between lines')
+        self.assertRegex(out, r'There is no estimate where disks are packed, .*\n.* some 1,[0-9]00 triangles and ')
+        self.assertNotIn('A mesh takes about', out)
+        out, _ = self.run_cover('mesh', SAMPLES / 'plate.poly', '--dry-run', '--method', 'nonobtuse', '--stats', 'json')
+        self.assertTrue(json.loads(out)['estimate']['by_disks'])
 
     def test_what_does_not_fit(self):
         self.write('s.poly', SQUARE)

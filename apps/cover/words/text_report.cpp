@@ -407,19 +407,6 @@ std::string info_text(const Prepared& prepared, bool every_region) {
   return out;
 }
 
-std::string estimate_text(const Estimate& estimate) {
-  constexpr double kMegabyte = 1e6;
-  std::string out =
-      fmt::format("\nA mesh takes about {:.2g} triangles and {} MB of memory", estimate.triangles,
-                  grouped(static_cast<std::size_t>(estimate.bytes / kMegabyte)));
-  if (std::isfinite(estimate.available))
-    out += fmt::format(", of {} MB",
-                       grouped(static_cast<std::size_t>(estimate.available / kMegabyte)));
-  if (estimate.by_disks)
-    out += ", ten times that where disks must fit between lines close to each other";
-  return out + "\n";
-}
-
 std::string box_costs_text(const BoxCosts& costs, bool every_side) {
   std::string out = fmt::format(
       "\nBox method: {} of {} {} a vertex in the open diametral disk, which forces a negative "

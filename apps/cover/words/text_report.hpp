@@ -4,7 +4,6 @@
 #include <string>
 
 #include <cover/cover_mesh.hpp>
-#include <cover/estimate.hpp>
 #include <cover/stream_mesh.hpp>
 
 namespace cover::app {
@@ -15,9 +14,6 @@ std::string mesh_text(const StreamedOutput& streamed, bool every_region);
 
 /// What an input holds and what can be reached on it: regions and interfaces.
 std::string info_text(const Prepared& prepared, bool every_region);
-
-/// What a mesh will take.
-std::string estimate_text(const Estimate& estimate);
 
 /// What the box method costs: encroached sides, cuts needed and planned for each grade.
 std::string box_costs_text(const BoxCosts& costs, bool every_side);

@@ -39,6 +39,7 @@
 #include "terminal/console.hpp"
 #include "terminal/interrupt.hpp"
 #include "terminal/progress_line.hpp"
+#include "words/estimate_text.hpp"
 #include "words/group_text.hpp"
 #include "words/text_report.hpp"
 
@@ -198,8 +199,9 @@ Result<std::vector<RegionId>> regions_called(const std::string& name, const Regi
   return regions;
 }
 
-int print_plan_as_json(const MeshCommand& command, const Prepared& prepared, spdlog::logger& log) {
-  fmt::print("{}\n", report_json(prepared));
+int print_plan_as_json(const MeshCommand& command, const Prepared& prepared, const Estimate& all,
+                       spdlog::logger& log) {
+  fmt::print("{}\n", report_json(prepared, all));
   for (const std::string& name : command.plan.only) {
     if (const auto regions = regions_called(name, prepared.table); !regions)
       return fail(log, regions.error());
@@ -207,12 +209,9 @@ int print_plan_as_json(const MeshCommand& command, const Prepared& prepared, spd
   return exit_ok;
 }
 
-int print_plan(const MeshCommand& command, const Prepared& prepared, const Options& options,
+int print_plan(const MeshCommand& command, const Prepared& prepared, const Estimate& all,
                spdlog::logger& log) {
-  const Result<Estimate> all = estimate(prepared, options);
-  if (!all) return fail(log, all.error());
-  log_notes(log, all->notes);
-  fmt::print("{}{}", info_text(prepared, command.is_verbose()), estimate_text(*all));
+  fmt::print("{}{}", info_text(prepared, command.is_verbose()), estimate_text(all));
   for (const std::string& name : command.plan.only) {
     const auto regions = regions_called(name, prepared.table);
     if (!regions) return fail(log, regions.error());
@@ -236,8 +235,13 @@ int dry_run(const MeshCommand& command, const Input& input, const Options& optio
     if (const auto onto = read_triangles(*source, log); !onto) return fail(log, onto.error());
   }
   log_notes(log, prepared->report.notes);
-  return command.is_json() ? print_plan_as_json(command, *prepared, log)
-                           : print_plan(command, *prepared, options, log);
+  const Result<Estimate> all = estimate(*prepared, options);
+  if (!all) return fail(log, all.error());
+  log_notes(log, all->notes);
+  if (!command.files.reports().empty())
+    log.warn("--report writes nothing in a dry run: --stats json prints what is known before");
+  return command.is_json() ? print_plan_as_json(command, *prepared, *all, log)
+                           : print_plan(command, *prepared, *all, log);
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {

@@ -29,7 +29,9 @@
 // Of an input that was not meshed: "format": "cover input report", "version", "cover", "options",
 // "input", "regions": [ { "id", "name", "material", "material_name", "area", "sides", "size" where
 // it has one, "gamma_opt", "bound", "forced_above_120", "forced_above_150" } ], "interfaces",
-// "notes", "changes".
+// "notes", "changes"; of a dry run also "estimate": { "triangles", "bytes" of memory,
+// "available_bytes" where that is known, "by_disks": then it is none, but what lines far from each
+// other take }.
 //
 // LIMITS gamma_opt (at least 60: no triangulation is below), nu_opt_radians (pi - gamma_opt,
 //   uncut), bound (the largest angle that promise 3 allows), nu_bound_radians, rho,
@@ -54,11 +56,13 @@
 //
 // Tested by tests/unit/io/report/write_report_json_test.cpp.
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include <nlohmann/json.hpp>
 
 #include <cover/curved_mesh.hpp>
+#include <cover/estimate.hpp>
 #include <cover/mesh.hpp>
 #include <cover/text.hpp>
 #include <cover/write_mesh.hpp>
@@ -468,6 +472,34 @@ void add_lines_and_remarks(const RegionTable& table, const Report& report, Objec
                [&](std::size_t k) { return to_json(report.changes[k]); });
 }
 
+Json to_json(const Estimate& estimate) {
+  Json json{{"triangles", std::round(estimate.triangles)},
+            {"bytes", std::round(estimate.bytes)},
+            {"by_disks", estimate.by_disks}};
+  if (std::isfinite(estimate.available)) json["available_bytes"] = estimate.available;
+  return json;
+}
+
+void add_prepared(const Prepared& prepared, ObjectText& out) {
+  const Report& report = prepared.report;
+  add_origin("cover input report", report, out);
+  out.add("input", input_json(prepared.pslg, prepared.table, report));
+  out.add_list("regions", report.regions.size(), [&](std::size_t k) {
+    const Region& region = prepared.table.region(report.regions[k].id);
+    Json json{{"id", region.id.value()},     {"name", region.name},
+              {"material", region.material}, {"material_name", region.material_name},
+              {"area", region.area},         {"sides", region.sides}};
+    if (region.size) json["size"] = *region.size;
+    const RegionReport& limits = report.regions[k];
+    json["gamma_opt"] = limits.lowest_nu().supplement().in_degrees();
+    json["bound"] = limits.nu_bound.supplement().in_degrees();
+    json["forced_above_120"] = limits.forced_above_120;
+    json["forced_above_150"] = limits.forced_above_150;
+    return json;
+  });
+  add_lines_and_remarks(prepared.table, report, out);
+}
+
 }  // namespace
 
 std::string report_json(const Output& output) { return report_json(output, count_of(output.mesh)); }
@@ -509,24 +541,15 @@ std::string report_json(const Output& output, const MeshCounts& counts) {
 }
 
 std::string report_json(const Prepared& prepared) {
-  const Report& report = prepared.report;
   ObjectText out;
-  add_origin("cover input report", report, out);
-  out.add("input", input_json(prepared.pslg, prepared.table, report));
-  out.add_list("regions", report.regions.size(), [&](std::size_t k) {
-    const Region& region = prepared.table.region(report.regions[k].id);
-    Json json{{"id", region.id.value()},     {"name", region.name},
-              {"material", region.material}, {"material_name", region.material_name},
-              {"area", region.area},         {"sides", region.sides}};
-    if (region.size) json["size"] = *region.size;
-    const RegionReport& limits = report.regions[k];
-    json["gamma_opt"] = limits.lowest_nu().supplement().in_degrees();
-    json["bound"] = limits.nu_bound.supplement().in_degrees();
-    json["forced_above_120"] = limits.forced_above_120;
-    json["forced_above_150"] = limits.forced_above_150;
-    return json;
-  });
-  add_lines_and_remarks(prepared.table, report, out);
+  add_prepared(prepared, out);
+  return out.finish();
+}
+
+std::string report_json(const Prepared& prepared, const Estimate& estimate) {
+  ObjectText out;
+  add_prepared(prepared, out);
+  out.add("estimate", to_json(estimate));
   return out.finish();
 }
 
