@@ -93,6 +93,30 @@ class Mesh(Case):
         self.assertRegex(out, r'\n +2 +1  material_1\n')
         self.assertNotIn('Numbers', self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu')[0])
 
+    def test_names_of_contacts_stay_where_cover_would_call_a_line_so(self):
+        self.write('x.json', json.dumps({
+            'polygons': [{'material': 'a', 'rings': [[[0, 0], [1, 0], [1, 1], [0, 1]]]},
+                         {'material': 'b "q"', 'region': 'b', 'rings': [[[1, 0], [2, 0], [2, 1], [1, 1]]]},
+                         {'material': 'c', 'region': 'c "q" ä', 'rings': [[[2, 0], [3, 0], [3, 1], [2, 1]]]}],
+            'lines': [{'name': 'a_b', 'points': [[0, 0], [0, 1]]}]}))
+        out, _ = self.run_cover('mesh', 'x.json', '-o', 'x.msh', '-o', 'x.inp', '-o', 'x.vtm')
+        names = dict(re.findall(r'(?m)^1 (\d+) "(.*)"$', (self.dir / 'x.msh').read_text()))
+        of = {name: tag for tag, name in names.items()}
+        self.assertIn('a_b', of)
+        self.assertIn('a_b_2', of)
+        # The contact is on the left, the line between regions is not.
+        nodes = {line.split()[0]: line.split()[1:3] for line in
+                 (self.dir / 'x.msh').read_text().partition('$Nodes\n')[2].partition('$EndNodes')[0].splitlines()[1:]}
+        for name, x in (('a_b', 0), ('a_b_2', 1)):
+            ends = re.findall(rf'(?m)^\d+ 1 2 {of[name]} \d+ (\d+) (\d+)$', (self.dir / 'x.msh').read_text())
+            self.assertTrue(ends)
+            self.assertEqual({float(nodes[n][0]) for pair in ends for n in pair}, {x})
+            # What is told is what the file has.
+            self.assertRegex(out, rf'(?m)^ +{of[name]}  {name}$')
+        self.assertRegex(out, r'(?m)^ +in \.msh +stands for *\n +c _q_ ä +c "q" ä$')
+        self.assertIn('name="a_b_2"', (self.dir / 'x.vtm').read_text())
+        self.assertIn('*NSET, NSET=A_B_2\n', (self.dir / 'x.inp').read_text())
+
     def test_quiet_says_nothing(self):
         self.assertEqual(self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-q'), ('', ''))
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,7 +37,7 @@ std::string row_of_dots(std::size_t rows, std::size_t shown) {
                                      grouped(rows - shown));
 }
 
-/// Names that .inp and .obj bear in another form only; the rest are not listed.
+/// Names that .msh, .inp and .obj bear in another form only; the rest are not listed.
 std::string renamed_text(const MeshView& view, const std::vector<std::string>& files, bool all) {
   const auto writes = [&](std::string_view extension) {
     return std::any_of(files.begin(), files.end(),
@@ -61,7 +60,18 @@ std::string renamed_text(const MeshView& view, const std::vector<std::string>& f
     for (const Group& group : groups) names.push_back(group.name);
     return names;
   };
+  // .msh keeps all but quotes, control characters, and a second use of a name.
+  const auto list_labels = [&](const std::vector<Group>& groups) {
+    TextTable table({{"in .msh", TextTable::Align::left}, {"stands for", TextTable::Align::left}});
+    std::size_t rows = 0;
+    for (const Group& group : groups) {
+      if (group.is_made_up || group.label == group.original) continue;
+      if (++rows <= kGroupRows || all) table.add({group.label, group.original});
+    }
+    if (rows > 0) text += table.text() + row_of_dots(rows, all ? rows : std::min(rows, kGroupRows));
+  };
   for (const auto* groups : {&view.region_groups, &view.line_groups}) {
+    if (writes(".msh")) list_labels(*groups);
     if (writes(".inp")) list(".inp", *groups, abaqus_names(*groups));
     if (writes(".obj")) list(".obj", *groups, safe(*groups));
   }
@@ -96,18 +106,13 @@ std::string group_text(const StreamedOutput& streamed, const std::vector<std::st
   // Contacts and markers are what boundary conditions are for: they come first.
   std::vector<std::size_t> order(view.line_groups.size());
   for (std::size_t g = 0; g < order.size(); ++g) order[g] = g;
-  std::set<std::string_view> made_up;
-  for (const Interface& line : output.table.interfaces)
-    if (line.kind != InterfaceKind::contact) made_up.insert(line.name);
-  const auto is_made_up = [&](std::size_t g) {
-    return made_up.contains(view.line_groups[g].original);
-  };
-  std::stable_partition(order.begin(), order.end(), [&](std::size_t g) { return !is_made_up(g); });
+  std::stable_partition(order.begin(), order.end(),
+                        [&](std::size_t g) { return !view.line_groups[g].is_made_up; });
   for (std::size_t k = 0; k < line_rows; ++k) {
     const Group& group = view.line_groups[order[k]];
-    const bool marker = !group.original.empty() &&
-                        group.original.find_first_not_of("-0123456789") == std::string::npos;
-    lines.add({fmt::format("{}", group.tag), (marker ? "marker " : "") + group.original});
+    const std::string& name = group.is_made_up ? group.label : group.original;
+    const bool marker = !name.empty() && name.find_first_not_of("-0123456789") == std::string::npos;
+    lines.add({fmt::format("{}", group.tag), (marker ? "marker " : "") + name});
   }
   return (view.has_ids
               ? fmt::format("Numbers in the files, by {}: the groups of regions and of lines\n",

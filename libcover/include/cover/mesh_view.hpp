@@ -28,11 +28,14 @@ struct Cells {
 
 /// A named set of regions or of lines: a physical group, an element set, ...
 struct Group {
-  std::string name;      ///< unique_safe_names() of the originals, among regions or among lines
-  std::string label;     ///< unique_legible_names() of them: for formats that bear UTF-8
+  std::string name;      ///< safe form of the original, unique among regions or among lines
+  std::string label;     ///< legible form, likewise unique: for formats that bear UTF-8
   std::string original;  ///< as the input has it
   int tag = 0;           ///< positive, unique over regions and lines
   int material = 0;      ///< of all its regions; 0 for lines
+  /// Lines that the input does not name, called after the regions beside them or "hull". Where such
+  /// a name is also one that the input gives, it is this one that changes.
+  bool is_made_up = false;
 };
 
 /// Lines that are images of each other by one rule.

@@ -105,4 +105,9 @@ std::vector<std::string> unique_legible_names(std::span<const std::string> names
   return unique_names(names, legible_name);
 }
 
+std::vector<std::string> unique_legible_names(std::span<const std::string> names,
+                                              const std::set<std::string>& taken) {
+  return unique_names(names, legible_name, taken);
+}
+
 }  // namespace cover

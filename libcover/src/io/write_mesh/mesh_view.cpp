@@ -21,24 +21,52 @@ namespace {
 using Edge = TriMesh::EdgeHandle;
 using Halfedge = TriMesh::HalfedgeHandle;
 
+/// Unique names of `groups` by `make`, which gets originals and names that are taken. Those of the
+/// input come first: a solver is told them, while no one relies on one that is made up.
+template <class Make>
+std::vector<std::string> names_by(const std::vector<Group>& groups,
+                                  const std::vector<std::string>& originals, const Make& make,
+                                  std::set<std::string> taken = {}) {
+  std::vector<std::string> names(groups.size());
+  for (const bool made_up : {false, true}) {
+    std::vector<std::string> some;
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      if (groups[g].is_made_up == made_up) some.push_back(originals[g]);
+    some = make(some, taken);
+    taken.insert(some.begin(), some.end());
+    auto next = some.begin();
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      if (groups[g].is_made_up == made_up) names[g] = std::move(*next++);
+  }
+  return names;
+}
+
+using Names = std::vector<std::string>;
+using NameSet = std::set<std::string>;
+
 /// Groups in the order in which their keys come up.
 template <class Key>
 class Grouping {
  public:
   /// The group of `key`; a new one gets `name` and `material`.
-  std::uint32_t find(const Key& key, const std::string& name, int material) {
+  std::uint32_t find(const Key& key, const std::string& name, int material,
+                     bool is_made_up = false) {
     const auto [at, is_new] = index_.emplace(key, static_cast<std::uint32_t>(groups_.size()));
-    if (is_new) groups_.push_back({{}, {}, name, 0, material});
+    if (is_new) groups_.push_back({{}, {}, name, 0, material, is_made_up});
     return at->second;
   }
 
   /// The groups with their names made safe and the lowest tags that are not `taken`, from
   /// `first_tag` on.
   std::vector<Group> finish(int first_tag, const std::set<int>& taken = {}) {
-    std::vector<std::string> names;
-    for (const Group& group : groups_) names.push_back(group.original);
-    const std::vector<std::string> labels = unique_legible_names(names);
-    names = unique_safe_names(names);
+    Names originals;
+    for (const Group& group : groups_) originals.push_back(group.original);
+    const Names labels = names_by(groups_, originals, [](const Names& some, const NameSet& taken) {
+      return unique_legible_names(some, taken);
+    });
+    const Names names = names_by(groups_, originals, [](const Names& some, const NameSet& taken) {
+      return unique_safe_names(some, taken);
+    });
     for (std::size_t g = 0; g < groups_.size(); ++g, ++first_tag) {
       while (taken.contains(first_tag)) ++first_tag;
       groups_[g].name = names[g];
@@ -108,7 +136,10 @@ class LineGroups {
   /// Kind, groups on the left and on the right counted from 1, name.
   using Key = std::tuple<InterfaceKind, std::uint32_t, std::uint32_t, std::string>;
 
-  std::uint32_t find(const Key& key) { return grouping_.find(key, std::get<std::string>(key), 0); }
+  std::uint32_t find(const Key& key) {
+    const bool is_made_up = std::get<InterfaceKind>(key) != InterfaceKind::contact;
+    return grouping_.find(key, std::get<std::string>(key), 0, is_made_up);
+  }
   [[nodiscard]] std::uint32_t group_of(RegionId region) const {
     return region == kVoid ? 0 : 1 + view_.region_group[place_of(region)];
   }
@@ -388,7 +419,10 @@ std::vector<std::string> abaqus_names(const std::vector<Group>& groups) {
     if (name[0] < 'A' || name[0] > 'Z') name.insert(name.begin(), 'X');
     names.push_back(std::move(name));
   }
-  return unique_safe_names(names, {kAllNodes}, kLongest);
+  const auto make = [&](const Names& some, const NameSet& taken) {
+    return unique_safe_names(some, taken, kLongest);
+  };
+  return names_by(groups, names, make, {kAllNodes});
 }
 
 }  // namespace cover

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "support/written_mesh.hpp"
 
@@ -61,6 +63,53 @@ TEST(MeshView, MarkersMakeGroupsOfTheirOwnAndContactsWin) {
   std::vector<int> sizes(3);
   for (const std::uint32_t group : view.line_group) ++sizes[group];
   EXPECT_EQ(sizes, (std::vector<int>{1, 2, 1}));
+}
+
+/// Two squares, `a` and `b`, whose lines are called as cover calls others by itself.
+Output named_like_made_up_ones() {
+  Input input;
+  input.points = {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}};
+  const auto add = [&](std::uint32_t a, std::uint32_t b, const char* name) {
+    InputSegment segment;
+    segment.a = a;
+    segment.b = b;
+    segment.name = name;
+    input.segments.push_back(segment);
+  };
+  add(0, 1, "");
+  add(1, 2, "");
+  add(2, 3, "a outline");
+  add(3, 4, "A_B");
+  add(4, 5, "");
+  add(5, 0, "a_b");
+  add(1, 4, "");
+  for (const auto& [x, name] : {std::pair(0.5, "a"), std::pair(1.5, "b")}) {
+    RegionSeed seed;
+    seed.at = {x, 0.5};
+    seed.material = name;
+    input.seeds.push_back(seed);
+  }
+  return cover_mesh(input).value();
+}
+
+TEST(MeshView, NamesOfTheInputStayAndMadeUpOnesGiveWay) {
+  const Output output = named_like_made_up_ones();
+  const MeshView view = view_of(output, {});
+  std::map<std::string, Group> by_label;
+  for (const Group& group : view.line_groups) by_label[group.label] = group;
+  ASSERT_TRUE(by_label.contains("a_b") && by_label.contains("a_b_2"));
+  EXPECT_FALSE(by_label["a_b"].is_made_up);
+  EXPECT_TRUE(by_label["a_b_2"].is_made_up);
+  EXPECT_EQ(by_label["a_b_2"].original, "a_b");
+  EXPECT_EQ(by_label["a outline"].name, "a_outline");
+  EXPECT_EQ(by_label["a_outline"].name, "a_outline_2");
+  // Only one of a_b and A_B can keep its name there, but neither that which is made up.
+  const std::vector<std::string> decks = abaqus_names(view.line_groups);
+  for (std::size_t g = 0; g < decks.size(); ++g) {
+    if (decks[g] != "A_B" && decks[g] != "A_OUTLINE") continue;
+    EXPECT_FALSE(view.line_groups[g].is_made_up) << view.line_groups[g].label;
+  }
+  EXPECT_EQ(std::count(decks.begin(), decks.end(), "A_B"), 1);
 }
 
 TEST(MeshView, TagsDoNotDependOnWhatIsLeftOut) {
