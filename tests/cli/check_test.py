@@ -42,6 +42,45 @@ class Check(Case):
         self.write('m.json', json.dumps(manifest))
         self.assertIn('FAILED promise 4 (materials)', self.run_cover('check', mosfet, 'm.msh', code=6)[0])
 
+    def test_named_lines(self):
+        tft = SAMPLES / 'tft.json'
+        for name in ('t.msh', 't.xdmf', 't.vtkhdf'):
+            self.run_cover('mesh', tft, '-o', name, '-q')
+            self.assertNotIn('Not checked', self.run_cover('check', tft, name)[0])
+        self.run_cover('mesh', tft, '-o', 't.vtm', '-q')
+        self.assertNotIn('Not checked', self.run_cover('check', tft, 't.vtm')[0])
+        for name in ('t.vtu', 't.inp', 't.mesh'):
+            self.run_cover('mesh', tft, '-o', name, '-q')
+            self.assertIn('\nNot checked: named lines (contacts)\n', self.run_cover('check', tft, name)[0])
+        for stream in ('on', 'off'):
+            self.assertIn('\nNot checked: named lines (contacts)\n', self.run_cover('check', tft, 't.vtu', '--stream', stream)[0])
+        text = (self.dir / 't.msh').read_text()
+        self.write('s.msh', text.replace('"gate_contact"', '"x"').replace('"drain_contact"', '"gate_contact"').replace('"x"', '"drain_contact"'))
+        out, _ = self.run_cover('check', tft, 's.msh', code=6)
+        for name in ('gate_contact', 'drain_contact'):
+            self.assertRegex(out, rf"FAILED named lines: (\d+) of the \1 edges? of '{name}' (is|are) not there under that name\n    at \(")
+            self.assertRegex(out, rf"FAILED named lines: \d+ edges? named '{name}' (is|are) not of that line\n    at \(")
+        self.assertNotIn("'source_contact'", out)
+        # No element of a contact.
+        tag = re.search(r'1 (\d+) "source_contact"', text)[1]
+        head, elements = text.split('$Elements\n')
+        gone, count = re.subn(rf'(?m)^\d+ 1 2 {tag} .*\n', '', elements)
+        self.assertGreater(count, 0)
+        total, rest = gone.split('\n', 1)
+        self.write('g.msh', f'{head}$Elements\n{int(total) - count}\n{rest}')
+        out, _ = self.run_cover('check', tft, 'g.msh', code=6)
+        self.assertRegex(out, rf"FAILED named lines: {count} of the {count} edges? of 'source_contact'")
+        self.assertEqual(out.count('FAILED'), 1)
+        # The pieces of a line together are it, whether cuts are allowed or meant.
+        self.run_cover('mesh', tft, '-o', 'p.msh', '--method', 'nonobtuse', '-q')
+        out, _ = self.run_cover('check', tft, 'p.msh', '--allow-split')
+        self.assertNotIn('named lines', out)
+        self.run_cover('mesh', tft, '-o', 'q.msh', '-o', 'q.json', '--method', 'nonobtuse', '-q')
+        self.assertNotIn('named lines', self.run_cover('check', tft, 'q.msh')[0])
+        # With lines of the outside alone those inside cannot be told.
+        self.run_cover('mesh', tft, '-o', 'o.msh', '--no-inner-lines', '-q')
+        self.assertIn('Not checked: named lines (contacts) inside the mesh', self.run_cover('check', tft, 'o.msh')[0])
+
     def test_says_what_was_not_checked(self):
         diode = SAMPLES / 'diode.poly'
         out, _ = self.run_cover('check', diode, 'd.vtu')

@@ -119,21 +119,28 @@ Result<MeshTriangles> read_triangles(const MeshSource& source, spdlog::logger& l
   if (!mesh) return source.named(std::move(mesh).error());
   if (mesh->second_order)
     log.warn("{}: triangles have six nodes, of which the corners are taken", source.name());
-  if (!mesh->soup.material.empty() || mesh->group.empty())
-    return MeshTriangles{std::move(mesh->soup), true, std::move(mesh->middles), mesh->cut_vertices,
-                         mesh->parts};
+  MeshTriangles triangles;
+  triangles.middles = std::move(mesh->middles);
+  triangles.cut_vertices = mesh->cut_vertices;
+  triangles.parts = mesh->parts;
+  triangles.lines = std::move(mesh->lines);
+  triangles.line_names = std::move(mesh->line_names);
+  if (!mesh->soup.material.empty() || mesh->group.empty()) {
+    triangles.soup = std::move(mesh->soup);
+    return triangles;
+  }
   StoredMesh stored;
   stored.soup = std::move(mesh->soup);
   const Result<bool> named =
       read_manifest(std::filesystem::path(path).replace_extension(".json"), mesh->group, stored);
-  if (named && *named)
-    return MeshTriangles{std::move(stored.soup), true, std::move(mesh->middles), mesh->cut_vertices,
-                         mesh->parts};
+  triangles.soup = std::move(stored.soup);
+  if (named && *named) return triangles;
   if (!named) log.warn("{}", named.error().message);
-  stored.soup.region.clear();
-  stored.soup.material = mesh->group;
-  return MeshTriangles{std::move(stored.soup), false,       std::move(mesh->middles),
-                       mesh->cut_vertices,     mesh->parts, std::move(mesh->region_names)};
+  triangles.has_materials = false;
+  triangles.soup.region.clear();
+  triangles.soup.material = std::move(mesh->group);
+  triangles.group_names = std::move(mesh->region_names);
+  return triangles;
 }
 
 }  // namespace cover::app

@@ -13,6 +13,7 @@
 
 #include <cover/files.hpp>
 #include <cover/point.hpp>
+#include <cover/read_mesh.hpp>
 #include <cover/result.hpp>
 #include <cover/triangle_soup.hpp>
 
@@ -43,7 +44,7 @@ class MeshSource {
 /// What the help of a subcommand says of meshes that are streams.
 constexpr const char* kMeshStreamHelp = "'-' is standard input, known by how it begins";
 
-/// A mesh without its lines.
+/// A mesh, as far as subcommands look at it.
 struct MeshTriangles {
   TriangleSoup soup;
   /// False: the file has groups instead of materials, and no manifest says what they are; then
@@ -53,6 +54,8 @@ struct MeshTriangles {
   std::size_t cut_vertices = 0;                       ///< as MeshFile::cut_vertices
   std::size_t parts = 0;                              ///< as MeshFile::parts
   std::map<std::int64_t, std::string> group_names{};  ///< where it has groups instead
+  std::vector<MeshLine> lines{};                      ///< as MeshFile::lines
+  std::map<std::int64_t, std::string> line_names{};   ///< as MeshFile::line_names
 };
 
 /// The triangles of a mesh, in any format of read_mesh(). Formats that have groups

@@ -71,6 +71,29 @@ std::string sound_text(const Verification& found, std::size_t triangles) {
   return text;
 }
 
+std::string wrong_lines_text(const NamedLines& lines) {
+  std::string text;
+  for (const WrongLine& line : lines.wrong) {
+    const std::string name = printable(line.name);
+    if (line.missing > 0)
+      text += fmt::format("FAILED named lines: {} of the {} of '{}' {} not there under that name\n",
+                          grouped(line.missing), counted(line.edges, "edge"), name,
+                          line.missing == 1 ? "is" : "are") +
+              places_text(line.missing_at);
+    if (line.foreign > 0)
+      text += fmt::format("FAILED named lines: {} named '{}' {} not of that line\n",
+                          counted(line.foreign, "edge"), name, line.foreign == 1 ? "is" : "are") +
+              places_text(line.foreign_at);
+  }
+  return text;
+}
+
+std::string unchecked_lines_text(const NamedLines& lines) {
+  std::string text;
+  for (const std::string& what : lines.unchecked) text += fmt::format("Not checked: {}\n", what);
+  return text;
+}
+
 std::string cuts_text(const OwnCuts& cuts) {
   if (!cuts.are_meant) {
     const char* const all_else = cuts.are_pieces_sound ? "all else" : "all else but materials";

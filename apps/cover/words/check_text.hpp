@@ -12,6 +12,7 @@
 #include <cover/verify_layers.hpp>
 
 #include "commands/check/cut_input.hpp"
+#include "commands/check/named_lines.hpp"
 
 namespace cover::app {
 
@@ -19,6 +20,11 @@ namespace cover::app {
 std::string violations_text(const Verification& found);
 /// Of a mesh of so many triangles that breaks no promise: what was checked, and what was not.
 std::string sound_text(const Verification& found, std::size_t triangles);
+
+/// Named lines that are not as in the input.
+std::string wrong_lines_text(const NamedLines& lines);
+/// What was not checked of named lines.
+std::string unchecked_lines_text(const NamedLines& lines);
 
 /// How segments are cut; where nobody meant that: how to allow it.
 std::string cuts_text(const OwnCuts& cuts);

@@ -31,6 +31,7 @@
 
 #include "commands/check/cut_input.hpp"
 #include "commands/check/named_groups.hpp"
+#include "commands/check/named_lines.hpp"
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
 #include "files/file_check.hpp"
@@ -48,6 +49,7 @@ constexpr const char* kFooter = R"(Promises:
   3  the largest angle of each region keeps the proven bound
   4  every triangle has the material of its region
 With --periodic, or such pairs in the input, every vertex and edge of these lines has a partner.
+Where the mesh names lines, those that the input names have their edges and no others.
 
 Examples:
   cover check device.poly device.vtu
@@ -148,14 +150,17 @@ Result<Subject> read_subject(CheckCommand& command, const Options& options, spdl
 /// The code of a whole check, of which `first` and then `second` was found out.
 int first_failure(int first, int second) { return first == exit_ok ? second : first; }
 
-int print_promises(const Verification& found, const Pslg& pslg, std::size_t triangles, bool quiet) {
+int print_promises(const Verification& found, std::size_t triangles, bool quiet) {
   fmt::print("{}", violations_text(found));
   if (!found.violations.empty()) return exit_unmet;
-  if (quiet) return exit_ok;
-  fmt::print("{}", sound_text(found, triangles));
-  if (pslg.names.size() > 1)
-    fmt::print("Not checked: which edges the mesh calls by the names of contacts\n");
+  if (!quiet) fmt::print("{}", sound_text(found, triangles));
   return exit_ok;
+}
+
+/// Whether lines that the input names have their edges in the mesh.
+int print_lines(const NamedLines& lines, bool quiet) {
+  fmt::print("{}{}", wrong_lines_text(lines), quiet ? "" : unchecked_lines_text(lines));
+  return lines.wrong.empty() ? exit_ok : exit_unmet;
 }
 
 /// Whether a mesh is looked at in parts.
@@ -178,9 +183,12 @@ std::optional<int> check_parts(const CheckCommand& command, const MeshSource& so
   if (wants_whole(command, subject) || !is_to_stream(command.stream, source.file()))
     return std::nullopt;
   subject.prepared.report = {};
-  if (const auto parts = check_in_parts(subject.prepared, source.file(), command.verify, options))
-    return print_promises(parts->found, subject.prepared.pslg, parts->triangles,
-                          command.verbosity.quiet);
+  if (const auto parts = check_in_parts(subject.prepared, source.file(), command.verify, options)) {
+    const bool quiet = command.verbosity.quiet;
+    const int code = print_promises(parts->found, parts->triangles, quiet);
+    return first_failure(
+        code, print_lines(lines_not_checked(subject.prepared.pslg, subject.prepared.table), quiet));
+  }
   log.info("{} is read as a whole, to say more", source.name());
   return std::nullopt;
 }
@@ -352,12 +360,13 @@ int check_whole(const CheckCommand& command, const std::string& mesh_path, Subje
   const auto cuts = take_own_cuts(mesh_path, mesh, verify, prepared, found);
   if (cuts && (!quiet || !cuts->are_meant)) fmt::print("{}", cuts_text(*cuts));
   print_hints(found, prepared.pslg, mesh.soup, verify.hull);
-  int code = print_promises(found, prepared.pslg, mesh.soup.triangles.size(), quiet);
+  int code = print_promises(found, mesh.soup.triangles.size(), quiet);
 
   // A piece of a segment is a side of its own to all that follows but for curves.
-  const bool needs_pieces =
-      !subject.periodic.empty() || !command.layers.empty() || command.box_method;
+  const bool needs_pieces = !subject.periodic.empty() || !command.layers.empty() ||
+                            command.box_method || has_named_lines(prepared.pslg, prepared.table);
   const CutInput cut = needs_pieces ? cut_as(prepared, mesh.soup) : CutInput{};
+  code = first_failure(code, print_lines(check_named_lines(cut, mesh), quiet));
   code = first_failure(code, print_periodic(cut, subject.periodic, quiet));
   if (code == exit_ok) code = print_curved(prepared.pslg, mesh, quiet);
   const Result<int> rows = print_layers(cut, command.layers, subject.layers, mesh.soup, quiet);

@@ -342,6 +342,8 @@ Result<MeshFile> read_vtm_mesh(const std::string& path) {
   file.point_arrays = std::move(blocks->of_points);
   for (const StoredEdge& edge : blocks->mesh.edges)
     file.lines.push_back({edge.a, edge.b, edge.interface.value(), edge.marker});
+  for (const Interface& line : blocks->mesh.interfaces)
+    if (!line.name.empty()) file.line_names.emplace(line.id.value(), line.name);
   const auto& region = blocks->mesh.soup.region;
   const auto order = sorted_numbers<std::size_t>(
       region.size(), [&](std::size_t a, std::size_t b) { return region[a] < region[b]; });
