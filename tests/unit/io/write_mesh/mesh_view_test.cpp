@@ -100,7 +100,7 @@ TEST(MeshView, NamesOfTheInputStayAndMadeUpOnesGiveWay) {
   ASSERT_TRUE(by_label.contains("a_b") && by_label.contains("a_b_2"));
   EXPECT_FALSE(by_label["a_b"].is_made_up);
   EXPECT_TRUE(by_label["a_b_2"].is_made_up);
-  EXPECT_EQ(by_label["a_b_2"].original, "a_b");
+  EXPECT_EQ(by_label["a_b_2"].original, "a_b_2");
   EXPECT_EQ(by_label["a outline"].name, "a_outline");
   EXPECT_EQ(by_label["a_outline"].name, "a_outline_2");
   // Only one of a_b and A_B can keep its name there, but neither that which is made up.
