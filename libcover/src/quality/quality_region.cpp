@@ -40,10 +40,7 @@ class RegionWork {
   ///          to stop
   RegionMesh run() {
     Candidate best = best_candidate();
-    const bool goes_on =
-        options_.effort == Effort::thorough ||
-        (options_.effort == Effort::normal && preferred(options_) == Prefer::largest);
-    if (goes_on && !candidates_.has_sizes() && !candidates_.is_tiny() &&
+    if (goes_on() && !candidates_.has_sizes() && !candidates_.is_tiny() &&
         !candidates_.outlook().has_no_room()) {
       aim_elsewhere(best);
       search_what_is_left(best);
@@ -67,6 +64,15 @@ class RegionWork {
   [[nodiscard]] bool is_shifted() const { return candidates_.frame().is_shifted(); }
 
  private:
+  /// Whether more is tried than the plan of the region. Towards right angles cuts mend what is left
+  /// for less: to try more took half of the time of 2,000 parcels 1 mm apart, a fifth on counties
+  /// and Voronoi cells, for as many triangles and obtuse ones.
+  [[nodiscard]] bool goes_on() const {
+    if (options_.effort != Effort::normal) return options_.effort == Effort::thorough;
+    return preferred(options_) == Prefer::largest &&
+           !(is_cut_until_met(options_) && options_.max_angle <= Angle::degrees(90));
+  }
+
   [[nodiscard]] Unreached unreached() const {
     if (candidates_.outlook().has_no_room()) return Unreached::couplings;
     return candidates_.is_budget_used_up() ? Unreached::budget : Unreached::unknown;
