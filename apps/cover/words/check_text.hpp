@@ -12,6 +12,7 @@
 #include <cover/verify_layers.hpp>
 
 #include "commands/check/cut_input.hpp"
+#include "commands/check/rounded_points.hpp"
 
 namespace cover::app {
 
@@ -22,6 +23,8 @@ std::string sound_text(const Verification& found, std::size_t triangles);
 
 /// How segments are cut; where nobody meant that: how to allow it.
 std::string cuts_text(const OwnCuts& cuts);
+/// Points of the input that the mesh's format has rounded.
+std::string rounded_text(const RoundedPoints& rounded);
 /// So many points of the input are no vertices: which options may have moved them.
 std::string missing_text(std::size_t points);
 /// So many sides have a triangle of the void beside them: which option allows that.
