@@ -34,7 +34,7 @@ constexpr int kAlong = 16;                  ///< spacings on either side of a mi
 constexpr double kShort = 64;               ///< times these: a shorter edge has no room for them
 constexpr std::size_t kEachSide = 6;        ///< places of an edge, on the left and on the right
 constexpr std::size_t kChoices = 1500;      ///< of places for a triangle
-constexpr std::size_t kTriesEach = 64;      ///< for each triangle that is not valid
+constexpr std::size_t kPatience = 200;      ///< tries after which triangles should be fewer
 
 /// How far p is on the left of the line from a to b, times the length of that.
 double left_of_line(Point a, Point b, Point p) {
@@ -87,10 +87,11 @@ class Nodes {
     for (const Face f : mesh_.faces()) {
       if (!is_surely_valid(f) && !is_valid(f)) bad_.insert(f);
     }
-    std::size_t in_vain = 0;
     Face last;
-    for (std::size_t tries = kTriesEach * bad_.size(); tries > 0 && in_vain < bad_.size();
-         --tries) {
+    std::size_t fewest = bad_.size(), in_vain = 0;
+    for (std::size_t waited = 0; !bad_.empty() && in_vain < bad_.size(); ++waited) {
+      if (bad_.size() < fewest) fewest = bad_.size(), waited = 0;
+      if (waited > kPatience + 2 * bad_.size()) break;
       const auto next = bad_.upper_bound(last);
       last = next != bad_.end() ? *next : *bad_.begin();
       in_vain = mend(last) ? 0 : in_vain + 1;
@@ -154,7 +155,7 @@ class Nodes {
   }
 
   /// Makes a triangle valid. Another one beside it may become invalid in its place if there is no
-  /// other way, but not the one that did so to this one.
+  /// other way: the one that has been looked at least often.
   bool mend(Face f) {
     const std::array halves = halves_of(f);
     std::array<std::vector<Point>, 3> places;
@@ -174,8 +175,9 @@ class Nodes {
         if (nodes[i] != node(edge_of(halves[i]))) chosen_[edge_of(halves[i])] = nodes[i];
       }
     };
+    ++visits_[f];
     std::optional<std::array<Point, 3>> second_best;
-    Face moved_to;
+    std::size_t least = 0;
     for (const auto& choice : choices_of(places)) {
       take({places[0][choice[0]], places[1][choice[1]], places[2][choice[2]]});
       if (!is_valid(f)) continue;
@@ -184,17 +186,13 @@ class Nodes {
         if (g.is_valid() && bad_.count(g) == 0 && !is_valid(g)) worse.push_back(g);
       }
       if (worse.empty()) return settle(f, beside);
-      const auto came_from = came_from_.find(f);
-      if (!second_best && worse.size() == 1 &&
-          (came_from == came_from_.end() || came_from->second != worse[0])) {
+      if (worse.size() == 1 && (!second_best || visits_[worse[0]] < least)) {
         second_best = {places[0][choice[0]], places[1][choice[1]], places[2][choice[2]]};
-        moved_to = worse[0];
+        least = visits_[worse[0]];
       }
     }
     take(second_best.value_or(before));
-    if (!second_best) return false;
-    came_from_[moved_to] = f;
-    return settle(f, beside);
+    return second_best && settle(f, beside);
   }
 
   /// After nodes of `f` have moved.
@@ -216,7 +214,7 @@ class Nodes {
   const std::function<bool(std::size_t)>& may_move_;
   std::set<Face> bad_;  ///< triangles that are not valid
   std::map<std::size_t, Point> chosen_;
-  std::map<Face, Face> came_from_;
+  std::map<Face, std::size_t> visits_;
 };
 
 }  // namespace
