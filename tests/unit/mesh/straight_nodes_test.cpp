@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <array>
+#include <cstdint>
 #include <random>
 #include <utility>
+#include <vector>
 
 #include <cover/cover_mesh.hpp>
 #include <cover/curved_mesh.hpp>
@@ -84,6 +86,29 @@ TEST(StraightNodes, StripsOfSliversAreValidOrNamed) {
   EXPECT_GT(meshed, 300U);
   EXPECT_GT(folded_before, 50U);
   EXPECT_LT(folded, folded_before / 10);
+}
+
+TEST(StraightNodes, GridsOfAFewUnitsInTheLastPlaceAreNearlyAllValid) {
+  constexpr std::uint32_t kCells = 12;
+  std::mt19937_64 random(testing::test_seed(74));
+  std::vector<Point> points;
+  std::vector<std::array<std::uint32_t, 2>> ends;
+  for (std::uint32_t j = 0; j <= kCells; ++j) {
+    for (std::uint32_t i = 0; i <= kCells; ++i) {
+      const bool is_inside = i % kCells != 0 && j % kCells != 0;
+      const auto moved = [&] { return is_inside ? static_cast<double>(random() % 2) : 0; };
+      const double x = 0x1p52 + 3 * i + moved(), y = 0x1p52 + 3 * j + moved();
+      const std::uint32_t v = (kCells + 1) * j + i;
+      points.push_back({x, y});
+      if (i > 0) ends.push_back({v - 1, v});
+      if (j > 0) ends.push_back({v - kCells - 1, v});
+    }
+  }
+  const Output output = testing::must_mesh(testing::segments_between(points, ends));
+  const auto [now, before] = folded_now_and_before(output);
+  EXPECT_GT(before, 20U);
+  EXPECT_LT(now, before / 5);  // of the smallest triangles there may be none that is valid
+  EXPECT_EQ(now, curved_mesh(output).not_valid.size());
 }
 
 TEST(StraightNodes, WhereNoDoubleServesTheFileIsRefusedAndTheTriangleNamed) {
