@@ -81,6 +81,25 @@ class Check(Case):
         self.run_cover('mesh', tft, '-o', 'o.msh', '--no-inner-lines', '-q')
         self.assertIn('Not checked: named lines (contacts) inside the mesh', self.run_cover('check', tft, 'o.msh')[0])
 
+    def test_digits_that_inp_leaves_out(self):
+        # 7.559548074848963e-17 has 21 characters, of which readers of .inp take 20.
+        points = [(1.5, 0), (7.559548074848963e-17, 1.0987654321), (-1.5, 1.3455995694350233e-16), (0, -1)]
+        for name, at in (('r.poly', points), ('moved.poly', [(1.5, 1e-3), *points[1:]])):
+            self.write(name, '4 2 0 0\n' + ''.join(f'{k} {x!r} {y!r}\n' for k, (x, y) in enumerate(at, 1))
+                       + '4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n')
+        self.run_cover('mesh', 'r.poly', '-o', 'r.inp', '-o', 'r.vtu', '-q')
+        out, _ = self.run_cover('check', 'r.poly', 'r.inp', code=6)
+        lines = out.splitlines()
+        self.assertRegex(lines[0], '^FAILED promise 1: 2 points of the input are rounded in the mesh, by its format and not by '
+                                   'the mesher: readers of .inp take 20 characters')
+        self.assertEqual(lines[1], '    at (7.5595480748489628e-17, 1.0987654321), there (7.5595480748489603e-17, 1.0987654321)')
+        self.assertIn('\nEvery promise holds: 2 triangles', out)
+        self.assertEqual(out.count('FAILED'), 1)
+        self.assertIn('Every promise holds', self.run_cover('check', 'r.poly', 'r.vtu')[0])
+        # What is wrong beside that is told as ever.
+        out, _ = self.run_cover('check', 'moved.poly', 'r.inp', code=6)
+        self.assertIn('FAILED promise 1: point 1 at (1.5, 0.001) is no vertex of the mesh', out)
+
     def test_says_what_was_not_checked(self):
         diode = SAMPLES / 'diode.poly'
         out, _ = self.run_cover('check', diode, 'd.vtu')

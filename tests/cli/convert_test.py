@@ -313,6 +313,12 @@ class Values(Case):
             self.run_cover('convert', source, '-o', target)
         self.assertEqual(self.arrays('c.vtu', 'CellData', 'use'), self.arrays('d.vtu', 'CellData', 'use'))
         self.assertEqual(sorted(map(str, self.arrays('c.vtu', 'CellData', 'height'))), sorted(map(str, self.arrays('d.vtu', 'CellData', 'height'))))
+        # HDF5 sorts the arrays of a group by name, and meshio reads those of a .vtu in few orders: the input's is listed.
+        self.run_cover('mesh', 'm.geojson', *self.KEEP, '-o', 'h.vtkhdf')
+        for mesh in 'm.vtm', 'h.vtkhdf', 'a.vtkhdf':
+            self.run_cover('convert', mesh, '-o', 'order.json')
+            self.assertEqual([a['name'] for a in json.loads((self.dir / 'order.json').read_text())['attributes']],
+                             ['use', 'height', 'fid'], mesh)
         kept = {a['name']: a for a in json.loads((self.dir / 'b.json').read_text())['attributes']}
         self.assertEqual(kept['use'], {'name': 'use', 'words': ['Wald', 'Äcker & "Wiese"'], 'values': ['Wald', 'Äcker & "Wiese"', 'Wald']})
         self.assertEqual(kept['fid']['values'], [40, 41, 42])

@@ -52,6 +52,19 @@ class Render(Case):
             self.assertGreater(len(set(seen[0][0])), 10)
             self.assertEqual(seen, seen[:1] * len(seen))
 
+    def test_the_surface_of_a_device_on_top(self):
+        # In TCAD's files y grows into the substrate.
+        self.run_cover('mesh', SAMPLES / 'nmos.tif', '-o', 'n.vtm', '-q')
+
+        def heights(*options):
+            self.run_cover('render', 'n.vtm', '-o', 'n.svg', *options)
+            texts = re.findall(r'<text[^>]* y="([\d.]+)"[^>]*>(gate|bulk)<', (self.dir / 'n.svg').read_text())
+            return {name: float(y) for y, name in texts}
+        up, down = heights(), heights('--y-down')
+        self.assertEqual(set(up), {'gate', 'bulk'})
+        self.assertGreater(up['gate'], up['bulk'])
+        self.assertLess(down['gate'], down['bulk'])
+
     def test_unknown_array(self):
         _, err = self.run_cover('render', 'd.vtu', '-o', 'd.png', '--color', 'stress', code=2)
         self.assertIn("the mesh has no array 'stress'; it has", err)

@@ -101,6 +101,8 @@ void add_options(CLI::App& app, Asked& asked) {
       ->type_name("N")
       ->capture_default_str();
   app.add_flag("--no-edges", asked.no_edges, "Leave out the edges inside regions");
+  app.add_flag("--y-down", asked.options.y_down,
+               "Draw y downwards, as devices of .tif and .str have it: the surface on top");
   app.add_option("--title", asked.options.title,
                  "First line (default: name and number of triangles)")
       ->type_name("TEXT");

@@ -114,6 +114,17 @@ std::string cuts_text(const OwnCuts& cuts) {
                            counted(cuts.points, "point"), cuts.option);
 }
 
+std::string rounded_text(const RoundedPoints& rounded) {
+  if (rounded.count == 0) return {};
+  return fmt::format(
+      "FAILED promise 1: {} of the input {} rounded in the mesh, by its format and not by the "
+      "mesher: readers of .inp take 20 characters of a coordinate; other formats keep all digits\n"
+      "    at ({:.17g}, {:.17g}), there ({:.17g}, {:.17g})\n"
+      "What follows is of the mesh with the digits of the input:\n",
+      counted(rounded.count, "point"), rounded.count == 1 ? "is" : "are", rounded.first.x,
+      rounded.first.y, rounded.as_there.x, rounded.as_there.y);
+}
+
 std::string missing_text(std::size_t points) {
   if (points == 0) return {};
   return fmt::format(

@@ -13,6 +13,7 @@
 
 #include "commands/check/cut_input.hpp"
 #include "commands/check/named_lines.hpp"
+#include "commands/check/rounded_points.hpp"
 
 namespace cover::app {
 
@@ -28,6 +29,8 @@ std::string unchecked_lines_text(const NamedLines& lines);
 
 /// How segments are cut; where nobody meant that: how to allow it.
 std::string cuts_text(const OwnCuts& cuts);
+/// Points of the input that the mesh's format has rounded.
+std::string rounded_text(const RoundedPoints& rounded);
 /// So many points of the input are no vertices: which options may have moved them.
 std::string missing_text(std::size_t points);
 /// So many sides have a triangle of the void beside them: which option allows that.

@@ -43,6 +43,7 @@ struct PictureOptions {
   int worst = 3;                               ///< so many of the largest angles are marked
   std::string id = "plot";                     ///< a name in XML; the SVGs of one page differ in it
   bool edges = true;                           ///< draw all edges, thin
+  bool y_down = false;                         ///< y grows downwards, as in devices of TCAD
 };
 
 /// The mesh of a run, with its names; of second order with the middle nodes that files have.

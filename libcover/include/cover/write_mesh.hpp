@@ -167,6 +167,8 @@ Status write_inp(const Output& output, const std::string& path, const WriteOptio
 ///
 /// Cost: linear
 std::size_t points_rounded_by_inp(const Output& output, const WriteOptions& options = {});
+/// What readers of an .inp of write_inp() see of a point.
+Point rounded_by_inp(Point p);
 
 /// Writes Triangle's files `path` with the extensions .node (with the markers of the input's points
 /// if it has any), .ele (attributes material and RegionId; with options.ids these, RegionId,

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <span>
+#include <vector>
+
+#include "cdt/cdt.hpp"
 
 namespace cover {
 

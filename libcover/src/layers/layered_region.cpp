@@ -25,6 +25,7 @@
 #include "cdt/region_cdt.hpp"
 #include "geom/spatial_order.hpp"
 #include "geom/vector.hpp"
+#include "layers/filled_film.hpp"
 #include "layers/front/layer_front.hpp"
 #include "mend/couplings/delaunay_within_bound.hpp"
 #include "region/triangulation_of.hpp"
@@ -273,7 +274,9 @@ class LayeredRegion {
         continue;
       }
       mesh.report.method += " with layers";
-      tell(front, front.sides_in(ends_of_edges(boundary_, mesh)), mesh.report);
+      std::vector<SideLayers> sides = front.sides_in(ends_of_edges(boundary_, mesh));
+      complete_filled_films(boundary_, options_.layers, front, mesh, sides);
+      tell(front, sides, mesh.report);
       const bool again = options_.couplings != Couplings::last && tries < kTriesForCouplings &&
                          lay_fewer(front, mesh, tries++);
       if (!best || mesh.report.box.negative_inside < best->report.box.negative_inside)

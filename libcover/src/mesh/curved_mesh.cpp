@@ -3,6 +3,7 @@
 // stays), the less the farther away. That is tried with patches and reaches of several sizes; where
 // none will do, edges on arcs of what is not proven are made straight, and all is tried again,
 // until everything is proven. Straightening alone ends with straight triangles, so there is an end.
+// Last come the nodes of straight edges that rounding has moved too far (mesh/straight_nodes).
 // Tested by tests/unit/mesh/curved_mesh_test.cpp.
 #include <cover/curved_mesh.hpp>
 
@@ -19,6 +20,7 @@
 #include "base/none.hpp"
 #include "geom/curves/arc.hpp"
 #include "geom/vector.hpp"
+#include "mesh/straight_nodes.hpp"
 
 namespace cover {
 namespace {
@@ -41,12 +43,9 @@ class Curving {
   CurvedMesh run() {
     find_edges();
     make_valid();
+    take_straight_nodes();
     add_areas();
-    for (const auto& [edge, middle] : moved_) {
-      const Halfedge h = first_half(edge);
-      curved_.moved.push_back({static_cast<std::uint32_t>(tri_.from_vertex_handle(h).idx()),
-                               static_cast<std::uint32_t>(tri_.to_vertex_handle(h).idx()), middle});
-    }
+    for (const auto& [edge, middle] : moved_) curved_.moved.push_back(moved_node(edge, middle));
     return std::move(curved_);
   }
 
@@ -73,6 +72,7 @@ class Curving {
 
   void find_edges() {
     const Pslg& pslg = output_.pslg;
+    if (pslg.circles.empty()) return;
     std::vector<TriMesh::VertexHandle> vertex(pslg.points.size());
     for (const auto v : tri_.vertices()) {
       const long point = output_.mesh.input_id(v);
@@ -297,6 +297,31 @@ class Curving {
         add_faces(h, touched);
       }
     }
+  }
+
+  [[nodiscard]] MovedNode moved_node(std::size_t edge, Point middle) const {
+    const Halfedge h = first_half(edge);
+    return {static_cast<std::uint32_t>(tri_.from_vertex_handle(h).idx()),
+            static_cast<std::uint32_t>(tri_.to_vertex_handle(h).idx()), middle};
+  }
+
+  /// What follows no arc may still be rounded to where a triangle is not valid.
+  void take_straight_nodes() {
+    const auto may_move = [this](std::size_t edge) {
+      const std::uint32_t k = number_[edge];
+      return k != kNone ? curved_.edges[k].is_straight : moved_.count(edge) == 0;
+    };
+    const StraightNodes straight = valid_straight_nodes(
+        tri_, [this](std::size_t edge) { return middle_of(first_half(edge)); }, may_move);
+    for (const auto& [edge, node] : straight.nodes) {
+      if (number_[edge] != kNone) {
+        curved_.edges[number_[edge]].middle = node;
+      } else {
+        curved_.rounded.push_back(moved_node(edge, node));
+      }
+    }
+    for (const Face f : straight.not_mended)
+      curved_.not_valid.push_back(static_cast<std::uint32_t>(f.idx()));
   }
 
   void add_areas() {

@@ -85,8 +85,9 @@ class Composer {
 
  private:
   [[nodiscard]] Point pixel(Point p) const {
+    const double y = (p.y - window_.low.y) * scale_;
     return {drawing_.plot.x0 + (p.x - window_.low.x) * scale_,
-            drawing_.plot.y1 - (p.y - window_.low.y) * scale_};
+            options_.y_down ? drawing_.plot.y0 + y : drawing_.plot.y1 - y};
   }
   [[nodiscard]] Point pixel(std::uint32_t v) const { return pixel(soup_.points[v]); }
 

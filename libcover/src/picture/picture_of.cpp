@@ -18,7 +18,9 @@ std::vector<std::array<Point, 3>> middles_of(const Output& output, const Triangl
   const CurvedMesh curved = curved_mesh(output);
   std::map<std::pair<std::uint32_t, std::uint32_t>, Point> node;
   for (const CurvedEdge& edge : curved.edges) node[std::minmax(edge.a, edge.b)] = edge.middle;
-  for (const MovedNode& edge : curved.moved) node[std::minmax(edge.a, edge.b)] = edge.middle;
+  for (const auto* nodes : {&curved.moved, &curved.rounded}) {
+    for (const MovedNode& edge : *nodes) node[std::minmax(edge.a, edge.b)] = edge.middle;
+  }
   std::vector<std::array<Point, 3>> middles;
   for (const auto& t : soup.triangles) {
     auto& of_triangle = middles.emplace_back();

@@ -32,6 +32,7 @@
 #include "commands/check/cut_input.hpp"
 #include "commands/check/named_groups.hpp"
 #include "commands/check/named_lines.hpp"
+#include "commands/check/rounded_points.hpp"
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
 #include "files/file_check.hpp"
@@ -352,6 +353,8 @@ int check_whole(const CheckCommand& command, const std::string& mesh_path, Subje
                 MeshTriangles& mesh) {
   const bool quiet = command.verbosity.quiet;
   Prepared& prepared = subject.prepared;
+  const RoundedPoints rounded = restore_digits(mesh_path, prepared.pslg, mesh.soup);
+  fmt::print("{}", rounded_text(rounded));
   VerifyOptions verify = command.verify;
   verify.material_numbers =
       mesh.has_materials || take_materials_by_name(prepared.table, mesh.group_names, mesh.soup);
@@ -361,6 +364,7 @@ int check_whole(const CheckCommand& command, const std::string& mesh_path, Subje
   if (cuts && (!quiet || !cuts->are_meant)) fmt::print("{}", cuts_text(*cuts));
   print_hints(found, prepared.pslg, mesh.soup, verify.hull);
   int code = print_promises(found, mesh.soup.triangles.size(), quiet);
+  if (rounded.count > 0) code = exit_unmet;
 
   // A piece of a segment is a side of its own to all that follows but for curves.
   const bool needs_pieces = !subject.periodic.empty() || !command.layers.empty() ||

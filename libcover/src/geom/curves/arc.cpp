@@ -2,17 +2,21 @@
 // edges, m = (a + 2 C + b) / 4. Its derivatives are linear, u = sum l_i u_i and v = sum l_i v_i in
 // barycentric coordinates l, so its Jacobian u x v has the coefficients u_i x v_i at the corners
 // and (u_i x v_j + u_j x v_i) / 2 between them: it is their weighted mean and positive where all of
-// them are. They are computed with twice the digits of a double.
+// them are. They are computed with twice the digits of a double, and exactly where that leaves
+// their signs open.
 //
 // Ref: A. Johnen, J.-F. Remacle, C. Geuzaine, Geometrical validity of curvilinear finite elements,
 //      J. Comput. Phys. 233 (2013)
 // Tested by tests/unit/geom/curves/arc_test.cpp.
 #include "geom/curves/arc.hpp"
 
+#include <CGAL/Exact_rational.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "geom/double_double.hpp"
+#include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -20,6 +24,8 @@ namespace {
 
 constexpr double kOnCircle = 0x1p-40;
 constexpr double kErrorOfSums = 0x1p-90;  ///< of the largest term; some 2^-98 is what is lost
+constexpr double kUnderflow = 0x1p-900;   ///< products below may have lost digits
+constexpr double kOverflow = 0x1p400;     ///< products of what is larger may be no numbers
 
 /// A vector with twice the digits.
 struct LongVector {
@@ -36,6 +42,35 @@ double largest_part(const LongVector& v) {
 }
 
 DoubleDouble long_cross(const LongVector& a, const LongVector& b) { return a.x * b.y - a.y * b.x; }
+
+using Exact = CGAL::Exact_rational;
+
+struct ExactVector {
+  Exact x, y;
+};
+
+ExactVector operator-(const ExactVector& a, const ExactVector& b) { return {a.x - b.x, a.y - b.y}; }
+
+Exact exact_cross(const ExactVector& a, const ExactVector& b) { return a.x * b.y - a.y * b.x; }
+
+/// The same as below, by rational numbers.
+bool has_exactly_positive_jacobian(const CurvedTriangle& triangle) {
+  std::array<ExactVector, 3> corner, control;
+  for (std::size_t i = 0; i < 3; ++i) corner[i] = {Exact(triangle[i].x), Exact(triangle[i].y)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point m = triangle[3 + i];
+    const ExactVector &a = corner[i], &b = corner[(i + 1) % 3];
+    control[i] = {2 * Exact(m.x) - (a.x + b.x) / 2, 2 * Exact(m.y) - (a.y + b.y) / 2};
+  }
+  const std::array u{control[0] - corner[0], corner[1] - control[0], control[1] - control[2]};
+  const std::array v{control[2] - corner[0], control[1] - control[0], corner[2] - control[2]};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 3; ++j) {
+      if (exact_cross(u[i], v[j]) + exact_cross(u[j], v[i]) <= 0) return false;
+    }
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -78,6 +113,10 @@ double ArcOver::share_of(Point p) const {
 }
 
 bool has_positive_jacobian(const CurvedTriangle& triangle) {
+  for (const Point& p : triangle) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) return false;
+  }
+  if (largest_coordinate(triangle) > kOverflow) return has_exactly_positive_jacobian(triangle);
   std::array<LongVector, 3> corner, control;  // control[i]: of the edge from corner i on
   for (std::size_t i = 0; i < 3; ++i) corner[i] = long_vector(triangle[i]);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -96,14 +135,16 @@ bool has_positive_jacobian(const CurvedTriangle& triangle) {
   for (const auto* steps : {&u, &v}) {
     for (const LongVector& s : *steps) step = std::max(step, largest_part(s));
   }
-  const double error = kErrorOfSums * place * step;
+  const double error = std::max(kErrorOfSums * place * step, kUnderflow);
+  bool is_open = false;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = i; j < 3; ++j) {
       const DoubleDouble sum = long_cross(u[i], v[j]) + long_cross(u[j], v[i]);
-      if (!(sum.high > error)) return false;
+      if (sum.high < -error) return false;
+      is_open = is_open || sum.high <= error;
     }
   }
-  return true;
+  return !is_open || has_exactly_positive_jacobian(triangle);
 }
 
 double area_beside_chord(Point a, Point b, Point m) {

@@ -69,7 +69,7 @@ class ArcOver {
 using CurvedTriangle = std::array<Point, 6>;
 
 /// Whether the Jacobian of the triangle is positive everywhere, proven: all six coefficients of
-/// Bernstein's form are above what rounding could make of zero.
+/// Bernstein's form are positive, exactly.
 bool has_positive_jacobian(const CurvedTriangle& triangle);
 
 /// What a quadratic edge from a to b over the node m adds to the area on its left.

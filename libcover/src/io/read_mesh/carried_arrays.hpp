@@ -2,8 +2,11 @@
 // mesh holds them.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <cover/read_mesh.hpp>
@@ -13,6 +16,19 @@ namespace cover {
 
 /// What arrays of words mean, by their names.
 using ArrayWords = std::map<std::string, std::vector<std::string>>;
+
+/// Puts arrays into the order of `names`, that of the input; others stay behind them.
+template <class Array>
+void sort_arrays(const std::vector<std::string>& names, std::vector<Array>& arrays) {
+  std::map<std::string_view, std::size_t> places;
+  for (const std::string& name : names) places.emplace(name, places.size());
+  const auto place = [&](const Array& array) {
+    const auto at = places.find(array.name);
+    return at != places.end() ? at->second : names.size();
+  };
+  std::stable_sort(arrays.begin(), arrays.end(),
+                   [&](const Array& a, const Array& b) { return place(a) < place(b); });
+}
 
 /// Gives `stored` the arrays of its file that are not our own: those of triangles as attributes of
 /// regions, those of points as fields. What a manifest said of them before counts; of its fields

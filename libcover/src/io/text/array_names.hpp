@@ -10,6 +10,9 @@ namespace cover {
 /// Of the hash of the file with the numbers of an .xdmf.
 constexpr std::string_view kXdmfHash = "HashOfNumbers";
 
+/// In a .vtkhdf, whose groups are sorted by name: the names of the input's arrays in their order.
+constexpr const char* kArrayOrder = "ArrayOrder";
+
 /// Whether an array of a mesh file is one that every mesh of ours has or may have.
 bool is_own_array(std::string_view name);
 

@@ -244,12 +244,13 @@ class Viewer {
       view_.points.push_back(
           midpoint(at(tri_.from_vertex_handle(h).idx()), at(tri_.to_vertex_handle(h).idx())));
     }
-    if (output_.pslg.circles.empty()) return;
     const CurvedMesh curved = curved_mesh(output_);
     for (const CurvedEdge& edge : curved.edges)
       view_.points[midpoint_of(between(edge.a, edge.b))] = edge.middle;
-    for (const MovedNode& node : curved.moved)
-      view_.points[midpoint_of(between(node.a, node.b))] = node.middle;
+    for (const auto* nodes : {&curved.moved, &curved.rounded}) {
+      for (const MovedNode& node : *nodes)
+        view_.points[midpoint_of(between(node.a, node.b))] = node.middle;
+    }
   }
 
   void add_triangles() {

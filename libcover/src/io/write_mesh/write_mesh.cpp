@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <string_view>
 
+#include <cover/curved_mesh.hpp>
 #include <cover/files.hpp>
+#include <cover/mesh.hpp>
 #include <cover/write_mesh.hpp>
 
 #include <fmt/core.h>
@@ -155,6 +157,24 @@ Status check_for(const Format& format, const std::string& path, const WriteOptio
   return options.parts == 1 ? ok() : check_parts(format, path, options);
 }
 
+/// No solver takes triangles of second order that fold over.
+Status check_nodes(const Output& output, const std::string& path, const WriteOptions& options) {
+  if (options.order != 2) return ok();
+  const std::vector<std::uint32_t> folded = curved_mesh(output).not_valid;
+  if (folded.empty()) return ok();
+  Error error{ErrorCode::cannot_write, {}, {}, {}};
+  const TriMesh& mesh = output.mesh.tri();
+  for (const auto v : mesh.fv_range(TriMesh::FaceHandle(static_cast<int>(folded[0]))))
+    error.where.push_back({mesh.point(v)[0], mesh.point(v)[1]});
+  error.message = fmt::format(
+      "cannot write '{}' of second order: {} so thin that no doubles serve as nodes of {} edges, "
+      "{}that of {}, {}, {}",
+      path, folded.size() == 1 ? "a triangle is" : fmt::format("{} triangles are", folded.size()),
+      folded.size() == 1 ? "its" : "their", folded.size() == 1 ? "" : "first ",
+      describe(error.where[0]), describe(error.where[1]), describe(error.where[2]));
+  return error;
+}
+
 }  // namespace
 
 Status check_format(std::string_view extension, const std::string& path,
@@ -226,6 +246,7 @@ bool is_several_files(const std::string& path, const WriteOptions& options) {
 Status write_mesh(const Output& output, const std::string& path, const WriteOptions& options) {
   return memory_as_value(path, [&]() -> Status {
     if (Status status = can_write(path, options); !status) return status;
+    if (Status status = check_nodes(output, path, options); !status) return status;
     return format_of(path)->write(output, path, options);
   });
 }

@@ -63,6 +63,15 @@ class LayerFront {
   };
   [[nodiscard]] std::vector<Edge> front() const;
 
+  /// An edge on a row, between vertices, the row on its right.
+  struct Top {
+    std::uint32_t a = 0, b = 0;
+    std::uint32_t side = 0;
+    int row = 0;  ///< from 1 on
+  };
+  /// All of them, also where another row lies on top.
+  [[nodiscard]] const std::vector<Top>& tops() const { return tops_; }
+
  private:
   /// A vertex of the front, and the edge from it to the next.
   struct Node {
@@ -92,13 +101,6 @@ class LayerFront {
   struct Cell {
     Guard guard;
     std::array<std::uint32_t, 2> nodes{};  ///< whose edges get no row if there is no room
-  };
-
-  /// An edge on a row, between vertices.
-  struct Top {
-    std::uint32_t a = 0, b = 0;
-    std::uint32_t side = 0;
-    int row = 0;  ///< from 1 on
   };
 
   class RowMaker;

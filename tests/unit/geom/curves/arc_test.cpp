@@ -62,6 +62,12 @@ TEST(HasPositiveJacobian, HoldsForStraightTrianglesHoweverFlat) {
   EXPECT_TRUE(has_positive_jacobian(straight({0, 0}, {1, 0}, {0.5, 0x1p-60})));
   EXPECT_FALSE(has_positive_jacobian(straight({0, 0}, {1, 0}, {0.5, 0})));
   EXPECT_FALSE(has_positive_jacobian(straight({0, 0}, {1, 0}, {0.5, -1e-3})));
+  // Nor does it matter how small or large they are.
+  EXPECT_TRUE(has_positive_jacobian(straight({0, 0}, {1, 0}, {0.5, 0x1p-1000})));
+  EXPECT_TRUE(has_positive_jacobian(straight({0, 0}, {0x1p-800, 0}, {0, 0x1p-800})));
+  EXPECT_TRUE(has_positive_jacobian(straight({0, 0}, {0x1p900, 0}, {0, 0x1p900})));
+  EXPECT_FALSE(has_positive_jacobian(straight({0, 0}, {0x1p-800, 0}, {0, -0x1p-800})));
+  EXPECT_FALSE(has_positive_jacobian(straight({0, 0}, {INFINITY, 0}, {0, 1})));
   // A power of two has exact middles anywhere.
   EXPECT_TRUE(
       has_positive_jacobian(straight({1024, 1024}, {1025, 1024}, {1024.5, 1024 + 0x1p-30})));

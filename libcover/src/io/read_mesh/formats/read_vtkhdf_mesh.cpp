@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/faults/errors.hpp"
+#include "io/read_mesh/carried_arrays.hpp"
 #include "io/read_mesh/formats/mesh_of_data_set.hpp"
 #include "io/text/array_names.hpp"
 #include "io/vtk_files/arrays/whole_number.hpp"
@@ -144,6 +145,10 @@ Result<VtkHdfMesh> read_vtkhdf_mesh(const std::string& path) {
   if (!fits || !take_regions(fields, out.names) || !take_interfaces(fields, out.names))
     return wrong_file(path, "its names and lines do not fit one another");
   take_origin(*file, fields, out.names);
+  if (const auto* order = fields.texts(kArrayOrder)) {
+    sort_arrays(*order, out.mesh.arrays);
+    sort_arrays(*order, out.mesh.point_arrays);
+  }
   for (const CellArray& array : out.mesh.arrays)
     if (const auto* words = fields.texts(words_name(array.name).c_str()))
       out.words.emplace(array.name, *words);

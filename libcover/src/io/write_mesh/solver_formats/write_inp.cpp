@@ -49,15 +49,13 @@ double read_back(double x) {
   return out;
 }
 
-Point read_back(const Point& p) { return {read_back(p.x), read_back(p.y)}; }
-
 /// Whether readers see every triangle the way round that it is.
 ///
 /// Errors: cannot_write, with the places of triangles that rounding flattens or turns over
 Status check_rounding(const MeshView& view, const std::string& path) {
   std::vector<Point> seen;
   seen.reserve(view.points.size());
-  for (const Point& p : view.points) seen.push_back(read_back(p));
+  for (const Point& p : view.points) seen.push_back(rounded_by_inp(p));
   if (seen == view.points) return ok();
   std::size_t count = 0;
   std::vector<Point> where;
@@ -115,10 +113,12 @@ void write_node_sets(const MeshView& view, TextWriter& out) {
 
 }  // namespace
 
+Point rounded_by_inp(Point p) { return {read_back(p.x), read_back(p.y)}; }
+
 std::size_t points_rounded_by_inp(const Output& output, const WriteOptions& options) {
   const std::vector<Point> points = view_of_triangles(output, options).points;
-  return static_cast<std::size_t>(std::count_if(points.begin(), points.end(),
-                                                [](const Point& p) { return read_back(p) != p; }));
+  return static_cast<std::size_t>(std::count_if(
+      points.begin(), points.end(), [](const Point& p) { return rounded_by_inp(p) != p; }));
 }
 
 Status write_inp(const Output& output, const std::string& path, const WriteOptions& options) {

@@ -1,6 +1,7 @@
 // VTKHDF 1.0, an unstructured grid of one piece: the triangles and arrays of a .vtu, and as field
 // data all that the .vtm and the manifest know, so that one file is enough.
 // Tested by tests/unit/io/write_mesh/vtk_formats/write_vtkhdf_test.cpp.
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <filesystem>
@@ -43,6 +44,7 @@ class VtkHdfContent {
     regions();
     lines();
     origin();
+    order();
     return std::move(content_);
   }
 
@@ -114,6 +116,19 @@ class VtkHdfContent {
     using Setting = Provenance::Setting;
     texts("OptionName", from.settings, [](const Setting& setting) { return setting.name; });
     texts("OptionValue", from.settings, [](const Setting& setting) { return setting.value; });
+  }
+
+  /// HDF5 sorts by name what stands in a group: where the input has another order, that is listed,
+  /// attributes of regions first.
+  void order() {
+    std::vector<std::string> attributes, fields;
+    for (const Attribute& attribute : view_.attributes) attributes.push_back(attribute.name);
+    for (const PlaneField::Array& field : view_.fields) fields.push_back(field.name);
+    if (std::is_sorted(attributes.begin(), attributes.end()) &&
+        std::is_sorted(fields.begin(), fields.end()))
+      return;
+    attributes.insert(attributes.end(), fields.begin(), fields.end());
+    content_.texts.push_back({kFields + kArrayOrder, std::move(attributes)});
   }
 
   void add(const std::string& folder, const std::string& name, const VtuArray& array) {

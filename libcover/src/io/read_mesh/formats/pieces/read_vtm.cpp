@@ -117,6 +117,14 @@ ArrayWords words_of(const XmlElement& names) {
   return words;
 }
 
+/// The names of attributes, in the order of the input.
+std::vector<std::string> attributes_of(const XmlElement& names) {
+  std::vector<std::string> attributes;
+  for (const XmlElement& element : names.children)
+    if (element.name == "Attribute") attributes.emplace_back(element.value("Name"));
+  return attributes;
+}
+
 /// The names of the arrays that all blocks of regions have and that are not our own, in the order
 /// of the first block.
 std::vector<std::string> common_arrays(const std::vector<Block>& blocks,
@@ -328,7 +336,10 @@ Result<VtmMesh> read_vtm(const std::string& path) {
   out.of_points = std::move(blocks.of_points);
   out.middles = std::move(blocks.middles);
   out.has_periodic_points = blocks.has_periodic_points;
-  if (reader.names()) out.words = words_of(*reader.names());
+  if (reader.names()) {
+    out.words = words_of(*reader.names());
+    sort_arrays(attributes_of(*reader.names()), out.of_triangles);
+  }
   return out;
 }
 
