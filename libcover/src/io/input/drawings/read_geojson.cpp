@@ -244,9 +244,9 @@ class GeoReader {
     return std::nullopt;
   }
 
-  /// Tables that maps are made from have numbers for names too.
+  /// Tables that maps are made from have numbers and truth values for names too.
   std::string read_name(const Json& value) {
-    return value.is_number_float() ? value.dump() : json_.name(value);
+    return value.is_number_float() || value.is_boolean() ? value.dump() : json_.name(value);
   }
 
   std::vector<Point> read_path(const Json& coordinates) {

@@ -44,12 +44,16 @@ TEST(ReadGeojson, TakesNumbersForNamesAndEmptyCoordinatesForNull) {
   const Result<Input> input = parse_geojson(R"({"type": "FeatureCollection", "features": [
     {"type": "Feature", "properties": {"name": 12.5}, "geometry":
       {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]}},
+    {"type": "Feature", "properties": {"name": true, "material": false}, "geometry":
+      {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]}},
     {"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": []}},
     {"type": "Feature", "properties": {}, "geometry": {"type": "LineString", "coordinates": []}}]})",
                                             "map.geojson");
   ASSERT_TRUE(input.has_value()) << input.error().message;
-  ASSERT_EQ(input->polygons.size(), 1u);
+  ASSERT_EQ(input->polygons.size(), 2u);
   EXPECT_EQ(input->polygons[0].material, "12.5");
+  EXPECT_EQ(input->polygons[1].region, "true");
+  EXPECT_EQ(input->polygons[1].material, "false");
   EXPECT_TRUE(input->lines.empty());
 }
 
