@@ -142,6 +142,7 @@ Result<Input> GeometryFile::read(unsigned threads, const ReadElsewhere& read_els
 
 Result<Input> GeometryFile::read_all(unsigned threads, const ReadElsewhere& read_elsewhere) {
   options_.threads = threads;
+  options_.is_one_of_several = paths_.size() > 1;
   for (const auto& written : written_) {
     for (const std::string& text : written.texts()) {
       // They were checked when the command line was.
