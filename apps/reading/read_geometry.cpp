@@ -1,5 +1,8 @@
 #include "read_geometry.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #ifdef COVER_WITH_DXF
 #include <cover/read_dxf.hpp>
 #endif
@@ -45,12 +48,25 @@ std::vector<std::string> formats_elsewhere() {
   return formats;
 }
 
+bool is_among(const std::string& format, const std::vector<std::string>& formats) {
+  return std::find(formats.begin(), formats.end(), format) != formats.end();
+}
+
+/// The error for a format that is read here, but from files alone.
+Error not_from_pipes(const std::string& format, const std::string& source) {
+  std::vector<std::string> known = input_formats();
+  for (const std::string& other : formats_of_pipes_elsewhere()) known.push_back(other);
+  std::string message = source + ": " + format +
+                        " is read from a file and not from a pipe; read from pipes are " +
+                        listed(known);
+  return {ErrorCode::unsupported_format, std::move(message), {}, {}};
+}
+
 /// The library knows of no format but its own; here are more.
 Result<Input> with_all_formats(Result<Input> input, const std::string& format,
                                const std::string& source, const std::vector<std::string>& others) {
   if (input || input.error().code != ErrorCode::unsupported_format) return input;
-  const std::vector<std::string> known = input_formats();
-  if (std::find(known.begin(), known.end(), format) != known.end()) return input;
+  if (is_among(format, input_formats())) return input;
   return unknown_input_format(format, source, others);
 }
 
@@ -101,6 +117,9 @@ Result<Input> parse_geometry(std::string_view text, const std::string& source,
 #ifdef COVER_WITH_DXF
   if (options.format == ".dxf") return parse_dxf(text, source, options);
 #endif
+  // Of OASIS it is told how it becomes a format that pipes may hold.
+  if (is_among(options.format, formats_elsewhere()) && !is_oasis(options.format))
+    return not_from_pipes(options.format, source);
   return with_all_formats(parse_input(text, options.format, source, options), options.format,
                           source, formats_of_pipes_elsewhere());
 }

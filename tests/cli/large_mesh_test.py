@@ -239,6 +239,36 @@ class Tiles(Case):
         self.write('b.json', json.dumps({'polygons': [{'material': 'b', 'rings': [[[1, 0], [2, 0], [2, 1], [1, 1]]]}]}))
         self.assertIn('2 regions', self.run_cover('mesh', 'a.geojson', 'b.json', '-o', 'm.vtu')[0])
 
+    def test_maps_of_two_systems_are_refused(self):
+        def system(name):
+            return {'crs': {'type': 'name', 'properties': {'name': name}}}
+        self.write('a.geojson', json.dumps({**self.square(0, 'a'), **system('urn:ogc:def:crs:OGC:1.3:CRS84')}))
+        self.write('b.geojson', json.dumps({**self.square(500000, 'b'), **system('urn:ogc:def:crs:EPSG::25832')}))
+        err = self.run_cover('mesh', 'a.geojson', 'b.geojson', '-o', 'm.vtu', code=2)[1]
+        self.assertIn('a.geojson and b.geojson cannot be taken together: their coordinates are in different systems, '
+                      'EPSG:4326 and EPSG:25832', err)
+        self.assertIn("'ogr2ogr -t_srs EPSG:25832 OUT.geojson a.geojson'", err)
+
+    def test_fields_are_asked_of_all_files_together(self):
+        self.write('parcels.geojson', json.dumps({'type': 'Feature', 'properties': {'use': 'field', 'nr': 7},
+                                                  'geometry': self.square(0, '')['geometry']}))
+        self.write('river.geojson', json.dumps({'type': 'Feature', 'properties': {'name': 'Rhine'},
+                                                'geometry': {'type': 'LineString', 'coordinates': [[0, 0.5], [1, 0.5]]}}))
+        self.write('wells.geojson', json.dumps({'type': 'MultiPoint', 'coordinates': [[0.25, 0.25], [0.75, 0.6875]]}))
+        files = ['river.geojson', 'wells.geojson', 'parcels.geojson']
+        self.run_cover('mesh', *files, '--material-field', 'use', '--keep-field', 'nr', '-o', 'm.vtm', '-o', 'm.json', '-o', 'm.poly')
+        text = (self.dir / 'm.json').read_text()
+        self.assertIn('"field"', text)
+        self.assertIn('"Rhine"', text)
+        self.write('far.geojson', json.dumps({'type': 'Point', 'coordinates': [3, 3]}))
+        self.assertIn('1 point lies in the void and is left out, the first at (3, 3)',
+                      self.run_cover('mesh', 'parcels.geojson', 'far.geojson', '-o', 'f.vtu')[1])
+        self.assertRegex((self.dir / 'm.poly').read_text(), r'(?s)0\.25 0\.25\b.*0\.75 0\.6875\b')
+        err = self.run_cover('mesh', *files, '--material-field', 'usage', '-o', 'm.vtu', code=2)[1]
+        self.assertRegex(err, "--material-field: river.geojson: no feature has the property 'usage'.*; parcels.geojson: "
+                              "no feature has the property 'usage'")
+        self.run_cover('mesh', 'river.geojson', '--material-field', 'use', '-o', 'm.vtu', code=2)
+
     def test_faults_name_the_file(self):
         self.collect('a.geojson', self.square(0, 'a'))
         self.assertIn('none.geojson', self.run_cover('mesh', 'a.geojson', 'none.geojson', '-o', 'm.vtu', code=5)[1])

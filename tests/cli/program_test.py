@@ -251,6 +251,18 @@ class BadInput(Case):
         _, err = self.run_cover('mesh', 'none.poly', '-o', 'a.vtu', code=5)
         self.assertIn('none.poly', err)
 
+    def test_many_warnings_of_one_sort_hide_no_other(self):
+        ring = [[0, 0], [8, 0], [8, 8], [0, 8]]
+        hidden = [{'material': f'm {k}', 'rings': [[[1 + k / 4, 1], [1.125 + k / 4, 1], [1 + k / 4, 2]]]} for k in range(15)]
+        seam = [{'material': 'near', 'rings': [[[8, 0], [9, 0], [9, 8], [8, 8], [8.001, 4]]]}]
+        self.write('d.json', json.dumps({'polygons': hidden + [{'material': 'top', 'rings': [ring]}] + seam}))
+        _, err = self.run_cover('info', 'd.json')
+        self.assertEqual(err.count('is wholly covered by others'), 9)
+        self.assertIn('thin void', err)
+        self.assertIn('6 further warnings are in the report', err)
+        _, err = self.run_cover('info', 'd.json', '-vv')
+        self.assertEqual(err.count('is wholly covered by others'), 15)
+
     def test_strict_says_its_name(self):
         # Two polygons that cross: both their edges are split.
         self.write('d.json', json.dumps({'polygons': [

@@ -31,6 +31,11 @@ std::string_view format_of(std::string_view text) {
   if (text.starts_with(std::string_view("\x00\x06\x00\x02", 4))) return ".gds";
   if (text.starts_with("\x89PNG")) return ".png";
   if (text.starts_with("NRRD")) return ".nrrd";
+  // Not read from streams, which is told.
+  if (text.starts_with("SQLite format 3")) return ".gpkg";
+  if (text.starts_with("fgb")) return ".fgb";
+  if (text.starts_with(std::string_view("\x00\x00\x27\x0a", 4))) return ".shp";
+  if (text.starts_with("%SEMI-OASIS")) return ".oas";
   if (text.starts_with("h TIF") || text.starts_with(std::string_view("II*\0", 4)) ||
       text.starts_with(std::string_view("MM\0*", 4)))
     return ".tif";
@@ -137,6 +142,7 @@ Result<Input> GeometryFile::read(unsigned threads, const ReadElsewhere& read_els
 
 Result<Input> GeometryFile::read_all(unsigned threads, const ReadElsewhere& read_elsewhere) {
   options_.threads = threads;
+  options_.is_one_of_several = paths_.size() > 1;
   for (const auto& written : written_) {
     for (const std::string& text : written.texts()) {
       // They were checked when the command line was.

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -72,20 +74,51 @@ int fail(spdlog::logger& log, const Error& error) {
   return exit_code_of(error.code);
 }
 
+namespace {
+
+/// The words of a sentence that are the same whatever it is about: without names and numbers.
+std::string pattern_of(std::string_view sentence) {
+  std::string pattern;
+  bool is_name = false;
+  for (const char c : sentence) {
+    if (c == '\'') is_name = !is_name;
+    if (!is_name && ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'))) pattern += c;
+  }
+  return pattern;
+}
+
+/// By note: whether it is one of the `most` that are shown. Each pattern is shown once before any
+/// is shown again, so that many alike hide none that is different.
+std::vector<bool> shown_of(const std::vector<const Note*>& notes, std::size_t most) {
+  std::vector<bool> shown(notes.size(), notes.size() <= most);
+  if (notes.size() <= most) return shown;
+  std::set<std::string> seen;
+  for (std::size_t k = 0; k < notes.size() && seen.size() < most; ++k)
+    shown[k] = seen.insert(pattern_of(notes[k]->message)).second;
+  std::size_t left = most - seen.size();
+  for (std::size_t k = 0; k < notes.size() && left > 0; ++k) {
+    if (shown[k]) continue;
+    shown[k] = true;
+    --left;
+  }
+  return shown;
+}
+
+}  // namespace
+
 void log_notes(spdlog::logger& log, std::span<const Note> notes) {
-  constexpr std::ptrdiff_t kShown = 10;
+  constexpr std::size_t kShown = 10;
   const auto show = [&](Note::Kind kind, const char* plural, const char* prefix,
-                        spdlog::level::level_enum shown = spdlog::level::warn) {
-    std::ptrdiff_t count = 0;
-    for (const Note& note : notes) {
-      if (note.kind != kind) continue;
-      ++count;
-      const auto level = count <= kShown ? shown : spdlog::level::debug;
-      log.log(level, "{}{}", prefix, note.message);
-    }
-    if (count > kShown) {
-      log.log(shown, "{} further {} are in the report (--report FILE.json) and shown by -vv",
-              count - kShown, plural);
+                        spdlog::level::level_enum level = spdlog::level::warn) {
+    std::vector<const Note*> of_kind;
+    for (const Note& note : notes)
+      if (note.kind == kind) of_kind.push_back(&note);
+    const std::vector<bool> shown = shown_of(of_kind, kShown);
+    for (std::size_t k = 0; k < of_kind.size(); ++k)
+      log.log(shown[k] ? level : spdlog::level::debug, "{}{}", prefix, of_kind[k]->message);
+    if (of_kind.size() > kShown) {
+      log.log(level, "{} further {} are in the report (--report FILE.json) and shown by -vv",
+              of_kind.size() - kShown, plural);
     }
   };
   show(Note::Kind::change, "changes of the input", "input changed: ");

@@ -30,8 +30,9 @@ std::shared_ptr<spdlog::logger> make_logger(const Verbosity& verbosity);
 /// Prints `cover: error: <message>` and returns the exit code that belongs to the error.
 int fail(spdlog::logger& log, const Error& error);
 
-/// The notes of a report, at most a screenful of each kind: changes of the input and warnings
-/// always, missed targets and other methods with -v, all else with -vv.
+/// The notes of a report, at most a screenful of each kind, among which every sort of sentence
+/// comes once before any comes again: changes of the input and warnings always, missed targets and
+/// other methods with -v, all else with -vv.
 void log_notes(spdlog::logger& log, std::span<const Note> notes);
 
 /// 1234567 as 1,234,567.

@@ -73,6 +73,14 @@ enum class VoidRule {
   unseeded_faces,  ///< where there are region seeds: also every face without one (JSON, gmsh)
 };
 
+/// A field or a layer of a map that an option names.
+struct AskedName {
+  std::string option;     ///< as "material_field"
+  std::string name;       ///< what it names
+  bool is_there = false;  ///< whether the input has it
+  std::string missing;    ///< else the sentence that tells, with the names that there are
+};
+
 /// Geometry before any check. Either the PSLG members or the polygons, or both, are filled.
 struct Input {
   std::string source;                 ///< file name for messages
@@ -96,6 +104,10 @@ struct Input {
   std::vector<PeriodicRule> periodic;  ///< beside those of Options::periodic; equal ones are one
   std::vector<LayerRule> layers;       ///< before Options::layers, which win over them
   std::vector<Change> changes{};       ///< what the reader did to the geometry of its file
+  /// The coordinate system of a map: "EPSG:25832" where its number is known, else its name as the
+  /// file has it; empty: not said.
+  std::string system{};
+  std::vector<AskedName> asked{};  ///< filled where ReadOptions::is_one_of_several
 };
 
 }  // namespace cover

@@ -14,10 +14,11 @@ namespace cover {
 /// .kml.
 bool is_map(std::string_view extension);
 
-/// Reads polygons and lines of a map, with the meaning that read_input() gives to those of GeoJSON
-/// (which is read too): polygons are painted, lines are contacts, points are left out. Attributes
-/// called material, name, priority and size count, in whatever case, unless the options name
-/// others. Those of `options.keep_fields` become Input::attributes.
+/// Reads polygons, lines and points of a map, with the meaning that read_input() gives to those of
+/// GeoJSON (which is read too): polygons are painted, lines are contacts, points are vertices.
+/// Attributes called material, name, priority and size count, in whatever case, unless the options
+/// name others, which one layer at least has to have. Those of `options.keep_fields` become
+/// Input::attributes. Layers have to be in one coordinate system, which becomes Input::system.
 ///
 /// Of several layers those that `options.layers` names are read, in the order of the file. With
 /// `options.crs`, coordinates are projected by PROJ; without, longitudes and latitudes are taken as

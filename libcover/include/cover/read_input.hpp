@@ -17,7 +17,7 @@ namespace cover {
 ///   area: triangles then have the area A on average, where Triangle makes it the largest;
 /// - `.json`, our own form: points and segments, or painted polygons, with circles and arcs; its
 ///   schema is input.schema.json;
-/// - `.geojson`: areas and lines with the properties material, name, priority and size;
+/// - `.geojson`: areas, lines and points with the properties material, name, priority and size;
 ///   those of `options.keep_fields` become Input::attributes;
 /// - `.msh`, gmsh's 2.2 and 4.1, text or binary: the borders of the physical surfaces and the
 ///   physical curves;

@@ -40,6 +40,10 @@ struct ReadOptions {
   int speckle = 0;     ///< of a picture: sets of fewer pixels become part of their neighbours
   bool smooth = true;  ///< of a picture: borders are smoothed; false: they are the sides of pixels
   std::string legend;  ///< of a picture: a file of lines "#ff0000,copper" or "7,grain"; empty: none
+
+  /// Of maps that are read to be joined: fields and layers that options name may be in another one.
+  /// Those that are missing are no error of the reader's but of join_inputs().
+  bool is_one_of_several = false;
 };
 
 /// Are all options in their legal ranges?

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include <cpl_error.h>
+#include <cpl_vsi.h>
 #include <gdal.h>
 #include <ogr_api.h>
 #include <ogr_srs_api.h>
@@ -55,13 +56,20 @@ namespace cover {
   X(OCTNewCoordinateTransformation)     \
   X(OCTTransform)                       \
   X(OSRClone)                           \
+  X(OSRDemoteTo2D)                      \
   X(OSRDestroySpatialReference)         \
+  X(OSRFindMatches)                     \
+  X(OSRFreeSRSArray)                    \
+  X(OSRGetAuthorityCode)                \
+  X(OSRGetAuthorityName)                \
   X(OSRGetLinearUnits)                  \
+  X(OSRGetName)                         \
   X(OSRIsGeographic)                    \
   X(OSRIsProjected)                     \
   X(OSRNewSpatialReference)             \
   X(OSRSetAxisMappingStrategy)          \
-  X(OSRSetFromUserInput)
+  X(OSRSetFromUserInput)                \
+  X(VSIFree)
 
 /// GDAL's functions by their names.
 struct GdalLibrary {

@@ -6,6 +6,8 @@
 
 #include <fmt/core.h>
 
+#include "io/input/coordinate_systems.hpp"
+
 namespace cover {
 namespace {
 
@@ -13,8 +15,51 @@ Error bad_crs(std::string message) { return {ErrorCode::bad_option, std::move(me
 
 using Reference = GdalHandle<&GdalLibrary::OSRDestroySpatialReference>;
 
+/// The number of a system, as "EPSG:25832"; empty if it has none.
+std::string number_of(OGRSpatialReferenceH system) {
+  const GdalLibrary& gdal = opened_gdal();
+  const char* authority = gdal.OSRGetAuthorityName(system, nullptr);
+  const char* code = gdal.OSRGetAuthorityCode(system, nullptr);
+  if (authority == nullptr || code == nullptr) return {};
+  return system_of_name(fmt::format("{}:{}", authority, code));
+}
+
+/// The number that EPSG has for the same system under another name, as files of ESRI's have them.
+std::string number_of_match(OGRSpatialReferenceH system) {
+  constexpr int kSame = 90;  // percent, by which GDAL itself takes one for the other
+  const GdalLibrary& gdal = opened_gdal();
+  int count = 0;
+  int* confidence = nullptr;
+  OGRSpatialReferenceH* matches = gdal.OSRFindMatches(system, nullptr, &count, &confidence);
+  std::string number;
+  for (int k = 0; k < count && number.empty(); ++k) {
+    if (confidence[k] < kSame) continue;
+    const std::string found = number_of(matches[k]);
+    if (found.starts_with("EPSG:")) number = found;
+  }
+  gdal.OSRFreeSRSArray(matches);
+  gdal.VSIFree(confidence);
+  return number;
+}
+
+/// As Input::system has it. Heights, which are left out, make no other system.
+std::string name_of(OGRSpatialReferenceH system) {
+  const GdalLibrary& gdal = opened_gdal();
+  const Reference plane(gdal.OSRClone(system));
+  gdal.OSRDemoteTo2D(plane.get(), nullptr);
+  std::string number = number_of(plane.get());
+  if (!number.starts_with("EPSG:")) {
+    std::string of_epsg = number_of_match(plane.get());
+    if (!of_epsg.empty()) number = std::move(of_epsg);
+  }
+  if (!number.empty()) return number;
+  const char* name = gdal.OSRGetName(plane.get());
+  return name == nullptr ? std::string() : std::string(name);
+}
+
 void describe_result(OGRSpatialReferenceH system, MapProjection& projection) {
   const GdalLibrary& gdal = opened_gdal();
+  projection.system = name_of(system);
   projection.degrees = gdal.OSRIsGeographic(system) != 0;
   if (gdal.OSRIsProjected(system) != 0 && gdal.OSRGetLinearUnits(system, nullptr) == 1)
     projection.unit = std::string(1, 'm');

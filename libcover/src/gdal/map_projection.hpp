@@ -16,6 +16,7 @@ struct MapProjection {
   bool from_degrees = false;  ///< whether what is transformed is longitudes and latitudes
   bool degrees = false;       ///< whether the result is
   std::string unit;           ///< "m" where the result is said to be metres
+  std::string system;         ///< that of the result, as Input::system has it
 };
 
 /// `system` is the layer's and may be nullptr; `wanted` as "EPSG:25832", empty: none. Files and

@@ -1,4 +1,4 @@
-// Features are read one after the other and become polygons and lines at once.
+// Features are read one after the other and become polygons, lines and points at once.
 // Tested by tests/unit/gdal/read_gdal_test.cpp.
 #include <cover/files.hpp>
 #include <cover/read_gdal.hpp>
@@ -21,6 +21,7 @@
 #include "gdal/map_projection.hpp"
 #include "gdal/quiet_gdal.hpp"
 #include "io/input/attribute_table.hpp"
+#include "io/input/coordinate_systems.hpp"
 #include "io/input/map_words.hpp"
 
 namespace cover {
@@ -67,8 +68,9 @@ class MapReader {
     for (OGRLayerH layer : layers) {
       if (!error_) read_layer(layer);
     }
-    if (!error_ && input_.polygons.empty() && input_.lines.empty())
-      fail(ErrorCode::syntax, "no polygon or line in it");
+    if (!error_) error_ = asked_.settle(options_, input_);
+    if (!error_ && input_.polygons.empty() && input_.lines.empty() && input_.points.empty())
+      fail(ErrorCode::syntax, "no polygon, line or point in it");
     if (error_) return *std::move(error_);
     tell();
     input_.attributes = attributes_.attributes();
@@ -128,33 +130,40 @@ class MapReader {
     const std::size_t count = names.size();
     if (count > kMostNamed) names.resize(kMostNamed);
     const std::string known = fmt::format("{}{}", listed(names), count > kMostNamed ? ", ..." : "");
-    if (options_.layers.empty() && count > 1)
-      fail(ErrorCode::bad_option,
-           fmt::format("it has {} layers ({}): name those to be read by --layer", count, known));
     for (const std::string& wanted : options_.layers) {
       const bool there = std::any_of(chosen.begin(), chosen.end(), [&](OGRLayerH layer) {
         return wanted == gdal_.OGR_L_GetName(layer);
       });
-      if (!there)
-        fail(ErrorCode::bad_option,
-             fmt::format("there is no layer '{}'; its layers: {}", wanted, known));
+      const std::string missing =
+          fmt::format("there is no layer '{}'; its layers: {}", wanted, known);
+      asked_.note("layer", wanted, there, missing);
+      if (!there && !options_.is_one_of_several) fail(ErrorCode::bad_option, missing);
     }
-    return options_.layers.empty() ? all : chosen;
+    // Of several files, those with one layer are meant as a whole, whichever others are chosen.
+    const bool is_whole = options_.layers.empty() || (options_.is_one_of_several && chosen.empty());
+    if (is_whole && count > 1)
+      fail(
+          ErrorCode::bad_option,
+          options_.layers.empty()
+              ? fmt::format("it has {} layers ({}): name those to be read by --layer", count, known)
+              : fmt::format("--layer names none of its layers: {}", known));
+    return is_whole ? all : chosen;
   }
 
-  /// The number of an attribute, or -1. One that an option names has to be there.
+  /// The number of an attribute, or -1. One that an option names has to be in some layer: rivers
+  /// have no land use.
   int field_of(OGRLayerH layer, const std::string& wanted, const char* usual, const char* option) {
     OGRFeatureDefnH definition = gdal_.OGR_L_GetLayerDefn(layer);
     const int field =
         gdal_.OGR_FD_GetFieldIndex(definition, wanted.empty() ? usual : wanted.c_str());
-    if (field >= 0 || wanted.empty()) return field;
+    if (wanted.empty()) return field;
     std::vector<std::string> names;
     for (int k = 0; k < gdal_.OGR_FD_GetFieldCount(definition); ++k)
       names.emplace_back(gdal_.OGR_Fld_GetNameRef(gdal_.OGR_FD_GetFieldDefn(definition, k)));
-    fail(ErrorCode::bad_option,
-         fmt::format("{}: the layer '{}' has no attribute '{}'; its attributes: {}", option,
-                     gdal_.OGR_L_GetName(layer), wanted, listed(names)));
-    return -1;
+    asked_.note(option, wanted, field >= 0,
+                fmt::format("the layer '{}' has no attribute '{}'; its attributes: {}",
+                            gdal_.OGR_L_GetName(layer), wanted, listed(names)));
+    return field;
   }
 
   /// Whether a name means the number that every feature has, and no attribute.
@@ -181,6 +190,8 @@ class MapReader {
     projection_ = std::move(*projection);
     degrees_ |= projection_.degrees;
     if (!projection_.unit.empty()) input_.unit = projection_.unit;
+    note_system(layer);
+    if (error_) return;
     quiet_.forget();
     gdal_.OGR_L_ResetReading(layer);
     while (!error_) {
@@ -189,6 +200,20 @@ class MapReader {
       if (!feature) break;
       read_feature(feature.get());
     }
+  }
+
+  /// Layers of one file may be in different systems.
+  void note_system(OGRLayerH layer) {
+    const std::string& system = projection_.system;
+    if (surely_differ(input_.system, system))
+      fail(ErrorCode::bad_option,
+           fmt::format("its layers are in different coordinate systems, '{}' in {} and '{}' in {}: "
+                       "--crs {} projects them",
+                       system_layer_, input_.system, gdal_.OGR_L_GetName(layer), system,
+                       projection_.unit.empty() ? input_.system : system));
+    if (!input_.system.empty() || system.empty()) return;
+    input_.system = system;
+    system_layer_ = gdal_.OGR_L_GetName(layer);
   }
 
   bool has(OGRFeatureH feature, int field) {
@@ -270,14 +295,13 @@ class MapReader {
         return add_line(geometry);
       case wkbMultiPolygon:
       case wkbMultiLineString:
+      case wkbMultiPoint:
       case wkbGeometryCollection:
         for (OGRGeometryH part : parts_of(geometry))
           if (!error_) read_geometry(part);
         return;
       case wkbPoint:
-      case wkbMultiPoint:
-        left_out_.add_point();
-        return;
+        return add_point(geometry);
       default:
         left_out_.add_surface();
     }
@@ -349,8 +373,14 @@ class MapReader {
     input_.lines.push_back(std::move(out));
   }
 
+  void add_point(OGRGeometryH point) {
+    if (gdal_.OGR_G_IsEmpty(point) != 0) return;
+    if (words_.size) left_out_.add_size_of_point();
+    for (const Point p : points_of(point)) input_.points.push_back(p);
+  }
+
   void tell() {
-    left_out_.tell("attribute", input_.warnings);
+    left_out_.tell("attribute", input_);
     if (degrees_) input_.warnings.emplace_back(kInDegrees);
   }
 
@@ -369,6 +399,8 @@ class MapReader {
   long features_ = 0;
   LeftOut left_out_;
   bool degrees_ = false;
+  std::string system_layer_;  ///< the first whose system is known
+  AskedNames asked_;
   std::optional<Error> error_;
 };
 

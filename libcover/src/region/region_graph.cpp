@@ -69,6 +69,7 @@ class TableMaker {
         triangulated = triangulated_regions();
       }
     });
+    warn_of_points_in_void(notes);
     return {std::move(table_), std::move(triangulated)};
   }
 
@@ -188,6 +189,22 @@ class TableMaker {
                        part, describe(where[name][0]), describe(where[name][1])),
            std::move(where[name])});
     }
+  }
+
+  /// Tells of points that are drawn for themselves, as the wells of a map.
+  void warn_of_points_in_void(std::vector<Note>& notes) const {
+    if (table_.void_points.empty()) return;
+    std::vector<bool> is_end(pslg_.points.size(), false);
+    for (const Segment& s : pslg_.segments) is_end[s.a.index()] = is_end[s.b.index()] = true;
+    std::vector<Point> where;
+    for (const VertexId v : table_.void_points)
+      if (!is_end[v.index()]) where.push_back(pslg_.points[v.index()]);
+    if (where.empty()) return;
+    std::string message =
+        fmt::format("{} in the void and {} left out, the first at {}",
+                    counted(where.size(), "point") + (where.size() == 1 ? " lies" : " lie"),
+                    where.size() == 1 ? "is" : "are", describe(where.front()));
+    notes.push_back({Note::Kind::warning, kVoid, std::move(message), std::move(where)});
   }
 
   void add_hull_sides() {

@@ -236,22 +236,28 @@ TEST_F(ReadGdal, CoordinatesOfNoKnownSystemAreRefusedOrTold) {
             std::string::npos);
 }
 
-TEST_F(ReadGdal, LayersAreChosen) {
-  const std::string path = converted("p.gpkg", {"-nln", "parcels"});
+/// Gives a GeoPackage a layer more, with an attribute `name` and one feature.
+void add_layer(const std::string& path, const char* layer, const char* wkt, int epsg = 0) {
   GDALDatasetH dataset =
       GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE, nullptr, nullptr, nullptr);
-  OGRLayer* roads =
-      GDALDataset::FromHandle(dataset)->CreateLayer("roads", nullptr, wkbLineString, nullptr);
+  OGRSpatialReference system;
+  if (epsg != 0) system.importFromEPSG(epsg);
+  OGRGeometry* geometry = nullptr;
+  ASSERT_EQ(OGRGeometryFactory::createFromWkt(wkt, nullptr, &geometry), OGRERR_NONE);
+  OGRLayer* made = GDALDataset::FromHandle(dataset)->CreateLayer(
+      layer, epsg != 0 ? &system : nullptr, geometry->getGeometryType(), nullptr);
   OGRFieldDefn field("name", OFTString);
-  ASSERT_EQ(roads->CreateField(&field), OGRERR_NONE);
-  OGRFeature feature(roads->GetLayerDefn());
+  ASSERT_EQ(made->CreateField(&field), OGRERR_NONE);
+  OGRFeature feature(made->GetLayerDefn());
   feature.SetField("name", "B 3");
-  OGRLineString line;
-  line.addPoint(8.5, 49.4);
-  line.addPoint(9, 49.4);
-  feature.SetGeometry(&line);
-  ASSERT_EQ(roads->CreateFeature(&feature), OGRERR_NONE);
+  feature.SetGeometryDirectly(geometry);
+  ASSERT_EQ(made->CreateFeature(&feature), OGRERR_NONE);
   GDALClose(dataset);
+}
+
+TEST_F(ReadGdal, LayersAreChosen) {
+  const std::string path = converted("p.gpkg", {"-nln", "parcels"});
+  add_layer(path, "roads", "LINESTRING (8.5 49.4, 9 49.4)");
   EXPECT_EQ(message(path),
             path + ": it has 2 layers (parcels, roads): name those to be read by --layer");
   ReadOptions options;
@@ -263,6 +269,111 @@ TEST_F(ReadGdal, LayersAreChosen) {
   options.layers = {"rails"};
   EXPECT_EQ(message(path, options),
             path + ": there is no layer 'rails'; its layers: parcels, roads");
+}
+
+TEST_F(ReadGdal, OfSeveralFilesOneHasTheLayer) {
+  const std::string path = converted("p.gpkg", {"-nln", "parcels"});
+  ReadOptions options;
+  options.is_one_of_several = true;
+  options.layers = {"rails"};
+  // It has but one layer: that is meant.
+  const Input whole = read(path, options);
+  EXPECT_EQ(whole.polygons.size(), 4U);
+  ASSERT_EQ(whole.asked.size(), 1U);
+  EXPECT_FALSE(whole.asked[0].is_there);
+  EXPECT_EQ(whole.asked[0].missing, "there is no layer 'rails'; its layers: parcels");
+  add_layer(path, "roads", "LINESTRING (8.5 49.4, 9 49.4)");
+  EXPECT_EQ(message(path, options), path + ": --layer names none of its layers: parcels, roads");
+  options.layers = {"rails", "roads"};
+  const Input chosen = read(path, options);
+  EXPECT_TRUE(chosen.polygons.empty());
+  EXPECT_FALSE(chosen.asked[0].is_there);
+  EXPECT_TRUE(chosen.asked[1].is_there);
+}
+
+TEST_F(ReadGdal, AttributesAreAskedOfAllLayersTogether) {
+  const std::string path = converted("p.gpkg", {"-nln", "parcels"});
+  add_layer(path, "roads", "LINESTRING (8.5 49.4, 9 49.4)");
+  ReadOptions options;
+  options.layers = {"roads", "parcels"};
+  options.material_field = "landuse";
+  options.keep_fields = {"nr"};
+  const Input input = read(path, options);
+  EXPECT_EQ(input.polygons[0].material, "built");
+  EXPECT_EQ(input.attributes[0].values[0], 12);
+  options.material_field = "use";
+  const std::string refused = message(path, options);
+  EXPECT_EQ(refused.find(path + ": material_field: the layer 'parcels' has no attribute 'use'; its "
+                                "attributes: "),
+            0U)
+      << refused;
+  EXPECT_NE(refused.find("; the layer 'roads' has no attribute 'use'; its attributes: name"),
+            std::string::npos)
+      << refused;
+  options.is_one_of_several = true;
+  const Input one = read(path, options);
+  ASSERT_EQ(one.asked.size(), 4U);
+  EXPECT_EQ(one.asked[2].name, "use");
+  EXPECT_FALSE(one.asked[2].is_there);
+  EXPECT_TRUE(one.asked[3].is_there);
+}
+
+TEST_F(ReadGdal, PointsAreVertices) {
+  const std::string path = converted("p.gpkg", {"-nln", "parcels"});
+  add_layer(path, "wells", "MULTIPOINT (8.6 49.45, 8.9 49.3)");
+  ReadOptions options;
+  options.layers = {"parcels", "wells"};
+  const Input input = read(path, options);
+  EXPECT_EQ(input.points, (std::vector<Point>{{8.6, 49.45}, {8.9, 49.3}}));
+  const Result<Output> out = cover_mesh(input);
+  ASSERT_TRUE(out) << out.error().message;
+  const std::vector<Point> vertices = triangle_soup(out->mesh).points;
+  for (const Point p : input.points)
+    EXPECT_NE(std::find(vertices.begin(), vertices.end(), p), vertices.end()) << p.x;
+}
+
+TEST_F(ReadGdal, SurfacesInSpaceAreLeftOutUnlessStrict) {
+  const std::string path = converted("p.gpkg", {"-nln", "parcels"});
+  add_layer(path, "roofs", "TIN Z (((0 0 0, 1 0 0, 0 1 1, 0 0 0)))");
+  ReadOptions options;
+  options.layers = {"parcels", "roofs"};
+  const Input input = read(path, options);
+  ASSERT_EQ(input.changes.size(), 1U);
+  EXPECT_EQ(input.changes[0].message, "1 geometry is a surface in space: left out");
+  Options strict;
+  EXPECT_TRUE(cover_mesh(input, strict));
+  strict.strict = true;
+  const Result<Output> refused = cover_mesh(input, strict);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::changed_input);
+}
+
+TEST_F(ReadGdal, TheSystemIsKnownByItsNumber) {
+  for (const char* name : {"p.gpkg", "p.shp", "p.fgb", "p.gml"}) {
+    SCOPED_TRACE(name);
+    EXPECT_EQ(read(converted(name)).system, "EPSG:4326");
+    fs::remove(folder_.path() / name);
+    fs::remove((folder_.path() / name).replace_extension(".xsd"));
+    EXPECT_EQ(read(converted(name, {"-t_srs", "EPSG:25832"})).system, "EPSG:25832");
+  }
+  ReadOptions options;
+  options.crs = "EPSG:25833";
+  EXPECT_EQ(read(converted("q.gpkg"), options).system, "EPSG:25833");
+  // Heights are left out.
+  EXPECT_EQ(read(converted("r.gpkg", {"-a_srs", "EPSG:4979"})).system, "EPSG:4326");
+}
+
+TEST_F(ReadGdal, LayersOfTwoSystemsAreRefused) {
+  const std::string path = converted("p.gpkg", {"-nln", "parcels"});
+  add_layer(path, "roads", "LINESTRING (500000 5400000, 500100 5400000)", 25832);
+  ReadOptions options;
+  options.layers = {"roads", "parcels"};
+  EXPECT_EQ(message(path, options),
+            path +
+                ": its layers are in different coordinate systems, 'parcels' in EPSG:4326 and "
+                "'roads' in EPSG:25832: --crs EPSG:25832 projects them");
+  options.crs = "EPSG:25832";
+  EXPECT_EQ(read(path, options).lines.size(), 1U);
 }
 
 TEST_F(ReadGdal, CurvesBecomeChords) {
@@ -296,7 +407,8 @@ TEST_F(ReadGdal, KmlIsReadToo) {
     <Placemark><name>spot</name><Point><coordinates>8,49</coordinates></Point></Placemark></Document></kml>)"));
   ASSERT_EQ(input.polygons.size(), 1U);
   EXPECT_EQ(input.polygons[0].material, "lake");
-  EXPECT_EQ(input.warnings.size(), 2U);
+  EXPECT_EQ(input.points, (std::vector<Point>{{8, 49}}));
+  EXPECT_EQ(input.warnings.size(), 1U);
 }
 
 TEST_F(ReadGdal, BrokenFilesAreRefused) {

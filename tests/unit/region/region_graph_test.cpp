@@ -105,6 +105,8 @@ TEST(BuildRegionTable, HolesAndOutsideAreVoid) {
   ASSERT_EQ(found->table.void_points.size(), 2U);
   EXPECT_EQ(found->table.void_points[0], VertexId{12});
   EXPECT_EQ(found->table.void_points[1], VertexId{14});
+  EXPECT_EQ(found->notes.back().message,
+            "2 points lie in the void and are left out, the first at (1.5, 5)");
   ASSERT_EQ(found->table.isolated_points.size(), 1U);
   EXPECT_EQ(found->table.isolated_points[0].vertex, VertexId{13});
   EXPECT_EQ(found->table.isolated_points[0].region, RegionId{2});
@@ -334,7 +336,7 @@ TEST(BuildRegionTable, WarnsOfContactsInTheVoid) {
   input.segments.push_back({1, 6, 0, 5, 0, "gate"});
   const auto found = find(input);
   ASSERT_TRUE(found) << found.error().message;
-  ASSERT_EQ(found->notes.size(), 2U);
+  ASSERT_EQ(found->notes.size(), 2U);  // their points are no others than theirs
   EXPECT_EQ(found->notes[0].message,
             "'gate' lies in the void with 1 of its 2 segments and is left out there, first from "
             "(4, 0) to (5, 2)");

@@ -35,6 +35,8 @@ Input everything() {
   in.periodic = {{"left", "right", PeriodicRule::Map::rotation, {1, 2}, Angle::degrees(30)}};
   in.layers = {{"wall", "air", 0.01, 1.2, 4}};
   in.changes = {{Change::Kind::welded, "moved", {{1, 2}}, {{InputKind::segment, 3}}}};
+  in.system = "EPSG:25832";
+  in.asked = {{"material_field", "use", true, "none has it"}};
   return in;
 }
 
@@ -55,6 +57,8 @@ TEST(InputBytes, AllThatAnInputHasComesBack) {
   ASSERT_NE(back->field, nullptr);
   EXPECT_EQ(back->field->arrays[0].values, in.field->arrays[0].values);
   EXPECT_EQ(back->changes[0].where, in.changes[0].where);
+  EXPECT_EQ(back->system, in.system);
+  EXPECT_EQ(back->asked[0].missing, "none has it");
   // All other members, too: what is made of it has the same bytes.
   EXPECT_EQ(bytes_of_input(*back), bytes);
 }
@@ -75,6 +79,7 @@ TEST(InputBytes, FilesComeBackWithHowTheyAreRead) {
   files.options.smooth = false;
   files.options.speckle = 5;
   files.options.crs = "EPSG:25832";
+  files.options.is_one_of_several = true;
   const Result<FilesToRead> back = files_of_bytes(bytes_of_files(files));
   ASSERT_TRUE(back) << back.error().message;
   EXPECT_EQ(back->paths, files.paths);
@@ -83,6 +88,7 @@ TEST(InputBytes, FilesComeBackWithHowTheyAreRead) {
   EXPECT_FALSE(back->options.smooth);
   EXPECT_EQ(back->options.speckle, 5);
   EXPECT_EQ(back->options.crs, files.options.crs);
+  EXPECT_TRUE(back->options.is_one_of_several);
 }
 
 TEST(InputBytes, APartIsAnError) {

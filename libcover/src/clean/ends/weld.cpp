@@ -202,8 +202,12 @@ class Search {
       const double place = place_on(raw.a, raw.b, at(w));
       const bool is_inside = place * whole > limit && (1 - place) * whole > limit;
       const Strand& line = drawing_.strands[s.raw];
-      if (distance <= limit && is_inside && !kept_.forbids(w, line.a, line.b))
+      if (!is_inside) {
+        // The end itself may be out of sight: behind the line, where lines cross beside their ends.
+        look_at_point(w, place < 0.5 ? line.a : line.b);
+      } else if (distance <= limit && !kept_.forbids(w, line.a, line.b)) {
         lines.push_back({s.raw, place, w, distance});
+      }
     }
   }
 

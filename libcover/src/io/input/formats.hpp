@@ -26,8 +26,8 @@ Result<Input> parse_poly(std::string_view text, const std::string& source,
 Result<Input> parse_json(std::string_view text, const std::string& source,
                          const ReadOptions& options = {});
 
-/// GeoJSON: areas, and lines as contacts; properties material, name and priority, or those that
-/// `options` name.
+/// GeoJSON: areas, lines as contacts, and points; properties material, name and priority, or those
+/// that `options` name.
 Result<Input> parse_geojson(std::string_view text, const std::string& source,
                             const ReadOptions& options = {});
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -11,9 +13,13 @@
 
 #include <fmt/core.h>
 
+#include <cover/text.hpp>
+
 #include "base/faults/errors.hpp"
 #include "base/numbers.hpp"
 #include "base/words/characters.hpp"
+#include "io/input/coordinate_systems.hpp"
+#include "io/input/map_words.hpp"
 
 namespace cover {
 namespace {
@@ -113,7 +119,24 @@ void join_attributes(Input& all, Input& more) {
   for (Attribute& attribute : all.attributes) attribute.values.resize(rows, nothing_of(attribute));
 }
 
+/// Two maps of one system have one unit, which not every format says.
+void share_unit(Input& one, Input& other) {
+  if (one.system.empty() || one.system != other.system || one.scale != other.scale) return;
+  if (one.unit.empty()) one.unit = other.unit;
+  if (other.unit.empty()) other.unit = one.unit;
+}
+
+/// Whether a warning says the same of one map as of another, and once is enough.
+bool is_of_all_maps(const std::string& warning) {
+  return warning == kInDegrees || warning == kMayBeDegrees;
+}
+bool is_told(const Input& input, const std::string& warning) {
+  return std::any_of(input.warnings.begin(), input.warnings.end(),
+                     [&](const std::string& told) { return told.ends_with(warning); });
+}
+
 Status join(Input& all, Input more, std::size_t file) {
+  share_unit(all, more);
   if (all.unit != more.unit || all.scale != more.scale)
     return differ(all, more,
                   fmt::format("their units of length are not the same, {} and {}: the option unit "
@@ -122,6 +145,7 @@ Status join(Input& all, Input more, std::size_t file) {
   if (all.void_rule != more.void_rule && !all.segments.empty() && !more.segments.empty())
     return differ(all, more, "faces without a seed are void in one of them alone");
   if (all.field && more.field) return differ(all, more, "both have values beside their geometry");
+  if (all.system.empty()) all.system = more.system;
   if (!more.segments.empty()) all.void_rule = more.void_rule;
   if (more.field) all.field = more.field;
   const std::size_t before = all.points.size(), count = more.points.size();
@@ -154,9 +178,36 @@ Status join(Input& all, Input more, std::size_t file) {
   append(all.periodic, std::move(more.periodic));
   append(all.layers, std::move(more.layers));
   append(all.changes, std::move(more.changes));
-  for (const std::string& warning : more.warnings)
+  for (const std::string& warning : more.warnings) {
+    if (is_of_all_maps(warning) && is_told(all, warning)) continue;
     all.warnings.push_back(fmt::format("{}: {}", more.source, warning));
+  }
   return ok();
+}
+
+/// The error where no input has a field or a layer that was asked of all.
+std::optional<Error> find_missing(const std::vector<Input>& inputs) {
+  constexpr std::size_t kTold = 3;
+  struct Missing {
+    bool is_there = false;
+    std::vector<std::string> sentences;
+  };
+  std::map<std::pair<std::string, std::string>, Missing> names;
+  for (const Input& input : inputs) {
+    for (const AskedName& asked : input.asked) {
+      Missing& missing = names[{asked.option, asked.name}];
+      missing.is_there |= asked.is_there;
+      if (!asked.is_there) missing.sentences.push_back(input.source + ": " + asked.missing);
+    }
+  }
+  for (auto& [name, missing] : names) {
+    if (missing.is_there) continue;
+    const std::size_t more = missing.sentences.size() - std::min(missing.sentences.size(), kTold);
+    missing.sentences.resize(missing.sentences.size() - more);
+    if (more > 0) missing.sentences.push_back(fmt::format("and {} more", more));
+    return bad_option(name.first + ": " + listed(missing.sentences, "; "));
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -164,6 +215,9 @@ Status join(Input& all, Input more, std::size_t file) {
 Result<Input> join_inputs(std::vector<Input> inputs) {
   constexpr std::size_t kNamed = 3;
   if (inputs.empty()) return bad_option("there is no input to join");
+  std::vector<std::string> warnings;
+  if (Status status = check_systems(inputs, warnings); !status) return std::move(status).error();
+  if (std::optional<Error> missing = find_missing(inputs)) return *std::move(missing);
   std::string source = inputs.front().source;
   for (std::size_t k = 1; k < inputs.size() && k < kNamed; ++k) source += ", " + inputs[k].source;
   if (inputs.size() > kNamed) source += fmt::format(" and {} more", inputs.size() - kNamed);
@@ -174,6 +228,7 @@ Result<Input> join_inputs(std::vector<Input> inputs) {
     inputs[k] = {};
   }
   all.source = std::move(source);
+  append(all.warnings, std::move(warnings));
   return all;
 }
 

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include <cover/attribute.hpp>
+#include <cover/input.hpp>
+#include <cover/read_options.hpp>
 
 namespace cover {
 
@@ -16,22 +18,45 @@ inline constexpr const char* kInDegrees =
     "coordinates are longitudes and latitudes: lengths and angles are those of a plane of degrees; "
     "--crs EPSG:... projects them";
 
+/// The same where nothing is said of them, as the standard of GeoJSON wants it.
+inline constexpr const char* kMayBeDegrees =
+    "no coordinate system is said, so by RFC 7946 coordinates are longitudes and latitudes, if "
+    "this "
+    "is a map: lengths and angles are those of a plane of degrees; --crs EPSG:... projects them";
+
 /// What of a map has no place in a drawing, counted to be told in the end.
 class LeftOut {
  public:
-  void add_point() { ++points_; }
   void add_surface() { ++surfaces_; }
   /// A wished edge length that is none, in the feature of that number.
   void add_size(long feature);
   /// A wished edge length of a feature that has a line.
   void add_size_of_line() { ++sizes_of_lines_; }
+  /// One of a feature that has a point.
+  void add_size_of_point() { ++sizes_of_points_; }
 
-  /// Appends a sentence each; `what` is what the format calls its columns: "property".
-  void tell(std::string_view what, std::vector<std::string>& warnings) const;
+  /// Appends a sentence each to the warnings of `input`, and to its changes where geometry is left
+  /// out; `what` is what the format calls its columns: "property".
+  void tell(std::string_view what, Input& input) const;
 
  private:
-  std::size_t points_ = 0, surfaces_ = 0, sizes_ = 0, sizes_of_lines_ = 0;
+  std::size_t surfaces_ = 0, sizes_ = 0, sizes_of_lines_ = 0, sizes_of_points_ = 0;
   long first_size_ = 0;
+};
+
+/// Fields and layers that options name. What is in any part of a map is there: rivers have no land
+/// use.
+class AskedNames {
+ public:
+  /// Notes whether a part has one; where none has, all sentences tell.
+  void note(const std::string& option, const std::string& name, bool is_there,
+            const std::string& missing);
+  /// An error where one is missing; none where another file may have it, which is left to whoever
+  /// joins it with `input`.
+  std::optional<Error> settle(const ReadOptions& options, Input& input) const;
+
+ private:
+  std::vector<AskedName> names_;
 };
 
 /// Appends a sentence where the array of an attribute cannot be called as the attribute.

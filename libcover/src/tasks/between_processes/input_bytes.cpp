@@ -53,24 +53,30 @@ auto members(T& change) {
   return std::tie(kind, message, where, inputs);
 }
 
+template <Either<AskedName> T>
+auto members(T& asked) {
+  auto& [option, name, is_there, missing] = asked;
+  return std::tie(option, name, is_there, missing);
+}
+
 template <Either<Input> T>
 auto members(T& input) {
   auto& [source, unit, scale, warnings, points, point_ids, point_lines, point_markers, segments,
          holes, seeds, void_rule, polygons, lines, field, attributes, circles, periodic, layers,
-         changes] = input;
+         changes, system, asked] = input;
   return std::tie(source, unit, scale, warnings, points, point_ids, point_lines, point_markers,
                   segments, holes, seeds, void_rule, polygons, lines, field, attributes, circles,
-                  periodic, layers, changes);
+                  periodic, layers, changes, system, asked);
 }
 
 template <Either<ReadOptions> T>
 auto members(T& options) {
   auto& [format, unit, scale, threads, layers, layer_map, label_layer, cell, window, chord_error,
          chord_angle, material_field, name_field, priority_field, keep_fields, crs, speckle, smooth,
-         legend] = options;
+         legend, is_one_of_several] = options;
   return std::tie(format, unit, scale, threads, layers, layer_map, label_layer, cell, window,
                   chord_error, chord_angle, material_field, name_field, priority_field, keep_fields,
-                  crs, speckle, smooth, legend);
+                  crs, speckle, smooth, legend, is_one_of_several);
 }
 
 template <Either<FilesToRead> T>

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <cover/option_ranges.hpp>
@@ -40,6 +41,42 @@ TEST(Weld, ClosesGapsAndSlivers) {
   const auto out = clean(neighbours(1e-10));
   EXPECT_TRUE(out->tells("was moved by 1e-10 onto"));
   EXPECT_TRUE(out->tells("the edge of polygon 1 'left' from (1, 0) to (1, 1) was bent by"));
+}
+
+/// Four parcels meet at a cross, each with a corner of its own. Where each of them reaches over the
+/// others, their sides hide all corners from each other.
+TEST(Weld, UnitesCornersThatAreHiddenBehindTheirLines) {
+  constexpr std::array<Point, 4> kSigns{{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+  const auto parcels = [&](const std::array<Point, 4>& corners) {
+    Input input;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double x = kSigns[k].x / 2, y = kSigns[k].y / 2;
+      add_polygon(input, {corners[k], {x, 0}, {x, y}, {0, y}}, "parcel " + std::to_string(k));
+    }
+    return input;
+  };
+  Options options;
+  options.weld = 2e-3;
+  const auto expect_one_vertex = [&](const std::array<Point, 4>& corners) {
+    const auto out = clean(parcels(corners), options);
+    ASSERT_TRUE(out) << out.error().message;
+    EXPECT_EQ(out->pslg.points.size(), 9U);
+    EXPECT_EQ(out->table.regions.size(), 4U);
+  };
+  expect_one_vertex({{{-0.0006755758050932619, -0.0002663623911815181},
+                      {0.00021739534124545773, -0.0007854098840860749},
+                      {0.0009668977346732828, -0.0002176728279968925},
+                      {3.011341070423875e-05, 0.0005943417448773677}}});
+  Random random(7);
+  for (int n = 0; n < 200; ++n) {
+    std::array<Point, 4> corners;
+    for (Point& p : corners) {
+      const double far = 0.0005 + 0.0005 * random.unit(), way = 6.28 * random.unit();
+      p = {far * std::cos(way), far * std::sin(way)};
+    }
+    SCOPED_TRACE(n);
+    expect_one_vertex(corners);
+  }
 }
 
 /// A square whose ring comes back to where it began, but for rounding.

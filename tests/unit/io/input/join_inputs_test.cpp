@@ -5,6 +5,8 @@
 
 #include <cover/cover_mesh.hpp>
 
+#include "io/input/map_words.hpp"
+
 namespace cover {
 namespace {
 
@@ -111,11 +113,35 @@ TEST(JoinInputs, AttributesStayWithTheirFeatures) {
 
 TEST(JoinInputs, WarningsNameTheirFile) {
   Input one = square(0, "a", "x"), other = square(1, "b", "y");
-  other.warnings = {"1 geometry is a point: left out"};
+  other.warnings = {"1 geometry is a surface in space: left out"};
   const Result<Input> joined = join_inputs({one, other});
   ASSERT_TRUE(joined);
   ASSERT_EQ(joined->warnings.size(), 1U);
-  EXPECT_EQ(joined->warnings[0], "y: 1 geometry is a point: left out");
+  EXPECT_EQ(joined->warnings[0], "y: 1 geometry is a surface in space: left out");
+}
+
+TEST(JoinInputs, DegreesAreToldOnce) {
+  Input one = square(0, "a", "x"), other = square(1, "b", "y"), third = square(2, "c", "z");
+  other.warnings = third.warnings = {kInDegrees};
+  const Result<Input> joined = join_inputs({one, other, third});
+  ASSERT_TRUE(joined);
+  EXPECT_EQ(joined->warnings, std::vector<std::string>{std::string("y: ") + kInDegrees});
+}
+
+TEST(JoinInputs, WhatNoInputHasIsRefused) {
+  Input rivers = square(0, "a", "rivers.shp"), parcels = square(1, "b", "parcels.shp");
+  rivers.asked = {{"material_field", "use", false, "the layer 'rivers' has no attribute 'use'"},
+                  {"name_field", "nr", false, "the layer 'rivers' has no attribute 'nr'"}};
+  parcels.asked = {{"material_field", "use", true, ""}, {"name_field", "nr", true, ""}};
+  EXPECT_TRUE(join_inputs({rivers, parcels}));
+  EXPECT_TRUE(join_inputs({parcels, rivers}));
+  parcels.asked[0] = {"material_field", "use", false, "the layer 'p' has no attribute 'use'"};
+  const Result<Input> joined = join_inputs({rivers, parcels, square(2, "c", "z.poly")});
+  ASSERT_FALSE(joined);
+  EXPECT_EQ(joined.error().code, ErrorCode::bad_option);
+  EXPECT_EQ(joined.error().message,
+            "material_field: rivers.shp: the layer 'rivers' has no attribute 'use'; parcels.shp: "
+            "the layer 'p' has no attribute 'use'");
 }
 
 TEST(JoinInputs, NothingIsNoGeometry) {

@@ -1,10 +1,11 @@
-// GeoJSON (RFC 7946): each Polygon and MultiPolygon a painted area, each LineString a named line.
+// GeoJSON (RFC 7946): each Polygon and MultiPolygon a painted area, each LineString a named line,
+// each Point a point of the drawing.
 //
 // Properties: `material` (else `name`, else the feature is a material of its own), `name` (of the
 // region or line), `priority`, `size` (the wished edge length inside); the first three may be
 // called otherwise, and those that are to be kept become attributes. Coordinates are taken as they
-// are, plane, heights left out; so are points and whatever else a file carries, which the RFC
-// allows. Tested by read_geojson_test.cpp.
+// are, plane, heights left out; so is whatever else a file carries, which the RFC allows.
+// Tested by read_geojson_test.cpp.
 #include "io/input/drawings/read_geojson.hpp"
 
 #include <fmt/core.h>
@@ -19,6 +20,7 @@
 #include "geom/box.hpp"
 #include "geom/rings/place_in_ring.hpp"
 #include "io/input/attribute_table.hpp"
+#include "io/input/coordinate_systems.hpp"
 #include "io/input/formats.hpp"
 #include "io/input/map_words.hpp"
 
@@ -33,6 +35,7 @@ class GeoReader {
   GeoReader(const Json& document, const std::string& source, const ReadOptions& options)
       : document_(document),
         json_(document, source),
+        options_(options),
         material_("material_field", options.material_field, "material"),
         name_("name_field", options.name_field, "name"),
         priority_("priority_field", options.priority_field, "priority"),
@@ -76,17 +79,17 @@ class GeoReader {
   }
 
   Result<Input> finish() {
-    if (!json_.failed() && input_.polygons.empty() && input_.lines.empty())
-      json_.fail(document_, "no Polygon, MultiPolygon or LineString in it");
+    if (!json_.failed() && input_.polygons.empty() && input_.lines.empty() && input_.points.empty())
+      json_.fail(document_, "no Polygon, MultiPolygon, LineString or Point in it");
     if (json_.failed()) return json_.error();
-    left_out_.tell("property", input_.warnings);
+    left_out_.tell("property", input_);
     if (outside_ > 0)
       input_.warnings.push_back(
           fmt::format("{} outside of the outer ring of {}, the first at {}: inside is what rings "
                       "go round an odd number of times, so there is no hole there but an area",
                       counted(outside_, "inner ring") + (outside_ == 1 ? " lies" : " lie"),
                       outside_ == 1 ? "its polygon" : "their polygons", describe(first_outside_)));
-    if (says_degrees()) input_.warnings.emplace_back(kInDegrees);
+    note_system();
     if (auto missing = missing_property()) return *std::move(missing);
     input_.attributes = attributes_.attributes();
     tell_renamed(input_.attributes, input_.warnings);
@@ -105,16 +108,17 @@ class GeoReader {
   /// A property that means something; what the caller called it has to be there.
   struct Meaning {
     Meaning(const char* its_option, const std::string& asked, const char* usual)
-        : option(its_option), name(asked.empty() ? usual : asked), must_be_there(!asked.empty()) {}
+        : option(its_option), name(asked.empty() ? usual : asked), is_asked(!asked.empty()) {}
 
     const char* option;
     std::string name;
-    bool must_be_there;
+    bool is_asked;          ///< an option names it
+    bool is_there = false;  ///< a feature has it
 
     /// Its value, or nullptr where there is none.
     const Json* of(const Json& properties) {
       const Json* value = JsonReader::member(properties, name);
-      if (value) must_be_there = false;
+      if (value) is_there = true;
       return value;
     }
   };
@@ -148,8 +152,10 @@ class GeoReader {
       read_line(coordinates(), properties);
     } else if (type == "MultiLineString") {
       for (const Json& line : coordinates()) read_line(line, properties);
-    } else if (type == "Point" || type == "MultiPoint") {
-      left_out_.add_point();
+    } else if (type == "Point") {
+      read_point(coordinates(), properties);
+    } else if (type == "MultiPoint") {
+      for (const Json& point : coordinates()) read_point(point, properties);
     } else {
       json_.fail(object, fmt::format("the type \"{}\" is not one of GeoJSON{}", type,
                                      type == "Topology" ? ": ogr2ogr makes that of TopoJSON" : ""));
@@ -195,35 +201,38 @@ class GeoReader {
     return value->dump(-1, ' ', false, Json::error_handler_t::replace);
   }
 
-  /// Whether the document names a system of longitudes and latitudes. Without a name it should be
-  /// one, too, but drawings of any kind are written as GeoJSON.
-  [[nodiscard]] bool says_degrees() const {
+  /// Takes over which system the document names. RFC 7946 knows but longitudes and latitudes, which
+  /// need no name; drawings of any kind are written as GeoJSON, though, so without one the
+  /// coordinates and what is asked for have to agree.
+  void note_system() {
     const Json* crs = JsonReader::member(document_, "crs");
     const Json* properties = crs ? JsonReader::member(*crs, "properties") : nullptr;
     const Json* name = properties ? JsonReader::member(*properties, "name") : nullptr;
-    if (!name || !name->is_string()) return false;
-    const auto& text = name->get_ref<const std::string&>();
-    return text.ends_with("CRS84") || text.ends_with(":4326");
+    if (name && name->is_string()) input_.system = system_of_name(name->get<std::string>());
+    if (input_.polygons.empty() && input_.lines.empty()) return;  // no lengths and no angles
+    if (input_.system == kLongitudeLatitude) input_.warnings.emplace_back(kInDegrees);
+    const bool is_said =
+        document_.is_object() && document_.contains("crs");  // if only that none is
+    if (!is_said && options_.unit.empty() && options_.scale == 1 &&
+        could_be_degrees(box_of_input(input_)))
+      input_.warnings.emplace_back(kMayBeDegrees);
   }
 
   /// A property that was asked for and that no feature has.
-  [[nodiscard]] std::optional<Error> missing_property() const {
-    const auto error = [&](const char* option, const std::string& name) {
-      return Error{
-          ErrorCode::bad_option,
-          known_.contains(name)
-              ? fmt::format("{}: {}: the property '{}' is null in every feature", input_.source,
-                            option, name)
-              : fmt::format("{}: {}: no feature has the property '{}'{}", input_.source, option,
-                            name, did_you_mean(name, std::vector(known_.begin(), known_.end()))),
-          {},
-          {}};
+  std::optional<Error> missing_property() {
+    AskedNames asked;
+    const auto note = [&](const char* option, const std::string& name, bool is_there) {
+      asked.note(option, name, is_there,
+                 known_.contains(name)
+                     ? fmt::format("the property '{}' is null in every feature", name)
+                     : fmt::format("no feature has the property '{}'{}", name,
+                                   did_you_mean(name, std::vector(known_.begin(), known_.end()))));
     };
     for (const Meaning* meaning : {&material_, &name_, &priority_})
-      if (meaning->must_be_there) return error(meaning->option, meaning->name);
+      if (meaning->is_asked) note(meaning->option, meaning->name, meaning->is_there);
     for (std::size_t k = 0; k < attributes_.names().size(); ++k)
-      if (attributes_.is_empty(k)) return error("keep_field", attributes_.names()[k]);
-    return std::nullopt;
+      note("keep_field", attributes_.names()[k], !attributes_.is_empty(k));
+    return asked.settle(options_, input_);
   }
 
   /// A number, or a text that spells one: in many tables all columns are text.
@@ -244,9 +253,9 @@ class GeoReader {
     return std::nullopt;
   }
 
-  /// Tables that maps are made from have numbers for names too.
+  /// Tables that maps are made from have numbers and truth values for names too.
   std::string read_name(const Json& value) {
-    return value.is_number_float() ? value.dump() : json_.name(value);
+    return value.is_number_float() || value.is_boolean() ? value.dump() : json_.name(value);
   }
 
   std::vector<Point> read_path(const Json& coordinates) {
@@ -274,6 +283,13 @@ class GeoReader {
     input_.polygons.push_back(std::move(polygon));
   }
 
+  void read_point(const Json& position, const Properties& properties) {
+    if (json_.failed()) return;
+    if (position.is_array() && position.empty()) return;  // the RFC: as null
+    if (properties.size) left_out_.add_size_of_point();
+    input_.points.push_back(json_.point(position, true));
+  }
+
   void look_for_holes_outside(const std::vector<std::vector<Point>>& rings) {
     if (rings.size() < 2 || rings.front().empty()) return;
     const Box box = box_of(rings.front());
@@ -299,6 +315,7 @@ class GeoReader {
 
   const Json& document_;
   JsonReader json_;
+  const ReadOptions& options_;
   Input input_;
   std::vector<std::pair<const Json*, Properties>> waiting_;  // a stack
   long features_ = 0;

@@ -24,7 +24,8 @@ TEST(ReadGeojson, ReadsFeaturesInTheOrderOfTheFile) {
     {"type": "Feature", "properties": null, "geometry":
       {"type": "Polygon", "coordinates": [[[0, 0], [9, 0], [9, 9], [0, 0]]]}},
     {"type": "Feature", "properties": {}, "geometry": null},
-    {"type": "Feature", "properties": {}, "geometry": {"type": "Point", "coordinates": [1, 1]}}]})",
+    {"type": "Feature", "properties": {"size": 1}, "geometry": {"type": "Point", "coordinates": [1, 1, 4]}},
+    {"type": "Feature", "properties": {}, "geometry": {"type": "MultiPoint", "coordinates": [[2, 1], [], [3, 1]]}}]})",
                     "map.geojson");
   ASSERT_TRUE(input.has_value()) << input.error().message;
   ASSERT_EQ(input->polygons.size(), 4u);
@@ -37,19 +38,25 @@ TEST(ReadGeojson, ReadsFeaturesInTheOrderOfTheFile) {
   EXPECT_EQ(input->polygons[3].material, "feature_2");
   ASSERT_EQ(input->lines.size(), 1u);
   EXPECT_EQ(input->lines[0].name, "bulk");
-  EXPECT_EQ(input->warnings.size(), 1u);
+  EXPECT_EQ(input->points, (std::vector<Point>{{1, 1}, {2, 1}, {3, 1}}));
+  EXPECT_EQ(input->warnings, std::vector<std::string>{
+                                 "the property 'size' of 1 point is left out: it is one of areas"});
 }
 
 TEST(ReadGeojson, TakesNumbersForNamesAndEmptyCoordinatesForNull) {
   const Result<Input> input = parse_geojson(R"({"type": "FeatureCollection", "features": [
     {"type": "Feature", "properties": {"name": 12.5}, "geometry":
       {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]}},
+    {"type": "Feature", "properties": {"name": true, "material": false}, "geometry":
+      {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]}},
     {"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": []}},
     {"type": "Feature", "properties": {}, "geometry": {"type": "LineString", "coordinates": []}}]})",
                                             "map.geojson");
   ASSERT_TRUE(input.has_value()) << input.error().message;
-  ASSERT_EQ(input->polygons.size(), 1u);
+  ASSERT_EQ(input->polygons.size(), 2u);
   EXPECT_EQ(input->polygons[0].material, "12.5");
+  EXPECT_EQ(input->polygons[1].region, "true");
+  EXPECT_EQ(input->polygons[1].material, "false");
   EXPECT_TRUE(input->lines.empty());
 }
 
@@ -58,10 +65,10 @@ TEST(ReadGeojson, SizesAreLengthsAboveZero) {
     return R"({"type": "Feature", "properties": {"size": )" + size + R"(}, "geometry":
       {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]}})";
   };
-  const Result<Input> input =
-      parse_geojson(R"({"type": "FeatureCollection", "features": [)" + feature("0.25") + "," +
-                        feature("0") + "," + feature("\"XL\"") + "," + feature("null") + "]}",
-                    "map.geojson");
+  const Result<Input> input = parse_geojson(
+      R"({"type": "FeatureCollection", "crs": null, "features": [)" + feature("0.25") + "," +
+          feature("0") + "," + feature("\"XL\"") + "," + feature("null") + "]}",
+      "map.geojson");
   ASSERT_TRUE(input.has_value()) << input.error().message;
   ASSERT_EQ(input->polygons.size(), 4u);
   EXPECT_EQ(input->polygons[0].size, 0.25);
@@ -73,7 +80,7 @@ TEST(ReadGeojson, SizesAreLengthsAboveZero) {
 
 TEST(ReadGeojson, NumbersMayBeWrittenAsText) {
   const Result<Input> input = parse_geojson(
-      R"({"type": "Feature", "properties": {"size": " 0.5", "priority": "7"}, "geometry":
+      R"({"type": "Feature", "crs": null, "properties": {"size": " 0.5", "priority": "7"}, "geometry":
       {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]}})",
       "map.geojson");
   ASSERT_TRUE(input.has_value()) << input.error().message;
@@ -84,7 +91,7 @@ TEST(ReadGeojson, NumbersMayBeWrittenAsText) {
 
 TEST(ReadGeojson, ASizeOfALineIsTold) {
   const Result<Input> input = parse_geojson(
-      R"({"type": "Feature", "properties": {"size": 1}, "geometry":
+      R"({"type": "Feature", "crs": null, "properties": {"size": 1}, "geometry":
       {"type": "LineString", "coordinates": [[0, 0], [1, 0]]}})",
       "map.geojson");
   ASSERT_TRUE(input.has_value()) << input.error().message;
@@ -97,7 +104,7 @@ TEST(ReadGeojson, AnArrayOfAnotherNameIsTold) {
   ReadOptions options;
   options.keep_fields = {"RegionId"};
   const Result<Input> input = parse_geojson(
-      R"({"type": "Feature", "properties": {"RegionId": 3}, "geometry":
+      R"({"type": "Feature", "crs": null, "properties": {"RegionId": 3}, "geometry":
       {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]}})",
       "map.geojson", options);
   ASSERT_TRUE(input.has_value()) << input.error().message;
@@ -159,12 +166,57 @@ TEST(ReadGeojson, DegreesAreToldWhereTheFileSaysSo) {
   const auto named = [](const std::string& name) {
     return R"("crs": {"type": "name", "properties": {"name": ")" + name + R"("}}, )";
   };
-  EXPECT_TRUE(warnings("").empty());
+  EXPECT_TRUE(warnings(R"("crs": null, )").empty());
   EXPECT_TRUE(warnings(named("urn:ogc:def:crs:EPSG::25832")).empty());
   for (const char* name : {"urn:ogc:def:crs:OGC:1.3:CRS84", "EPSG:4326"}) {
     ASSERT_EQ(warnings(named(name)).size(), 1U) << name;
     EXPECT_NE(warnings(named(name))[0].find("longitudes and latitudes"), std::string::npos);
   }
+}
+
+TEST(ReadGeojson, DegreesAreToldWhereNothingIsSaidThatSpeaksAgainstThem) {
+  const auto warnings = [](const std::string& corner, const ReadOptions& options = {}) {
+    return parse_geojson(
+               R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], )" + corner + ", [0, 0]]]}",
+               "map.geojson", options)
+        ->warnings;
+  };
+  ASSERT_EQ(warnings("[180, 90]").size(), 1U);
+  EXPECT_EQ(warnings("[180, 90]")[0].find("no coordinate system is said, so by RFC 7946"), 0U);
+  EXPECT_TRUE(warnings("[181, 1]").empty());
+  EXPECT_TRUE(warnings("[1, 91]").empty());
+  ReadOptions micrometres;
+  micrometres.unit = "um";
+  EXPECT_TRUE(warnings("[1, 1]", micrometres).empty());
+}
+
+TEST(ReadGeojson, TheSystemIsKept) {
+  const auto system = [](const std::string& crs) {
+    return parse_geojson(R"({"type": "Polygon", "crs": )" + crs +
+                             R"(, "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]})",
+                         "map.geojson")
+        ->system;
+  };
+  EXPECT_EQ(system(R"({"properties": {"name": "urn:ogc:def:crs:EPSG::25832"}})"), "EPSG:25832");
+  EXPECT_EQ(system(R"({"properties": {"name": "urn:ogc:def:crs:OGC:1.3:CRS84"}})"), "EPSG:4326");
+  EXPECT_EQ(system(R"({"properties": {"name": 4}})"), "");
+  EXPECT_EQ(system("null"), "");
+}
+
+TEST(ReadGeojson, OneOfSeveralNeedNotHaveWhatIsAsked) {
+  ReadOptions options = keeping({"use"});
+  options.material_field = "soil";
+  options.is_one_of_several = true;
+  const Result<Input> input =
+      parse_geojson(R"({"type": "Feature", "properties": {"use": "river"}, "geometry":
+      {"type": "LineString", "coordinates": [[0, 0], [1, 0]]}})",
+                    "map.geojson", options);
+  ASSERT_TRUE(input.has_value()) << input.error().message;
+  ASSERT_EQ(input->asked.size(), 2U);
+  EXPECT_EQ(input->asked[0].option, "material_field");
+  EXPECT_FALSE(input->asked[0].is_there);
+  EXPECT_EQ(input->asked[0].missing, "no feature has the property 'soil'");
+  EXPECT_TRUE(input->asked[1].is_there);
 }
 
 TEST(ReadGeojson, ReadsABareGeometry) {
@@ -188,7 +240,7 @@ TEST(ReadGeojson, IsKnownByItsTypeInAJsonFile) {
 }
 
 TEST(ReadGeojson, PropertiesAreChosenWhateverTheFileIsCalled) {
-  const std::string map = R"({"type": "FeatureCollection", "features": [
+  const std::string map = R"({"type": "FeatureCollection", "crs": null, "features": [
       {"type": "Feature", "properties": {"use": "field", "nr": 7, "rank": 3, "material": "x"},
        "geometry": {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]}},
       {"type": "Feature", "properties": {"use": null},
@@ -238,7 +290,7 @@ TEST(ReadGeojson, NamesThePlaceOfEveryError) {
       "number");
   EXPECT_EQ(geojson_message(R"({"features": []})"), "map.geojson: the key \"type\" is missing");
   EXPECT_EQ(geojson_message(R"({"type": "FeatureCollection", "features": []})"),
-            "map.geojson: no Polygon, MultiPolygon or LineString in it");
+            "map.geojson: no Polygon, MultiPolygon, LineString or Point in it");
   EXPECT_EQ(geojson_message("7"), "map.geojson: expected a GeoJSON object");
 }
 
