@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/containers/order.hpp"
+#include "geom/foot.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -64,7 +65,7 @@ std::vector<Point> PlaceSearch::starts_around(std::uint32_t t) const {
                                                                     : 2U;
   const Point a = p[i.next()], b = p[i.previous()], c = p[i];
   const Vector ab = b - a;
-  const Point foot = a + (dot(c - a, ab) / squared_length(ab)) * ab;
+  const Point foot = a + part_on_line(a, b, c) * ab;
   const Point centroid = c + (1.0 / 3) * ((a - c) + (b - c));
   // On the perpendicular bisector of the longest edge, seen at a right angle from beyond.
   const Vector n = left_normal(ab);

@@ -13,6 +13,7 @@
 
 #include "base/numbers.hpp"
 #include "disks/packing/visits.hpp"
+#include "geom/foot.hpp"
 
 namespace cover::disks {
 namespace {
@@ -71,7 +72,7 @@ double CornerDisks::distance_to_edge(Point p, TriangleCorner opposite) const {
   const Point a = at(t.v[i.next()]), b = at(t.v[i.previous()]);
   const Vector e = b - a, v = p - a;
   if (cross(e, v) <= 0) return kInfinity;
-  return norm(v - std::clamp(dot(v, e) / squared_length(e), 0.0, 1.0) * e);
+  return norm(v - part_on_segment(e, v) * e);
 }
 
 double CornerDisks::clearance(const Visit& visit) const {

@@ -77,7 +77,7 @@ ClearZones::State ClearZones::walk(const RegionSide& side, double angle) {
     if (p.y < low && q.y < low) return false;
     if (v == side.a || v == side.b) return dot(d, p) < kAngleSlack * length(d) * length(p);
     if (w == side.a || w == side.b) return dot(d, q) > -kAngleSlack * length(d) * length(q);
-    const double t = std::clamp(-dot(p, d) / squared_length(d), 0.0, 1.0);
+    const double t = part_on_segment(d, -1 * p);
     return squared_length(p + t * d) < radius * radius;
   };
   State state{true, false, false, false, cot};

@@ -124,12 +124,6 @@ std::pair<std::uint32_t, std::uint32_t> TriangleTree::nearest_border(Point p) co
   return trees_->border[nearest];
 }
 
-double part_along(Point a, Point b, Point p) {
-  const Vector along = b - a;
-  const double whole = squared_length(along);
-  return whole > 0 ? std::clamp(dot(p - a, along) / whole, 0.0, 1.0) : 0;
-}
-
 std::array<double, 2> shares_in(const std::array<Point, 3>& abc, Point p) {
   const auto [a, b, c] = abc;
   const double whole = cross(b - a, c - a);
