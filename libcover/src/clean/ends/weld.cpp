@@ -19,6 +19,7 @@
 #include "clean/ends/loose_ends.hpp"
 #include "geom/box.hpp"
 #include "geom/foot.hpp"
+#include "geom/triangle.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -387,7 +388,7 @@ std::vector<bool> wide_polygons(const Input& input, const Network& drawing) {
     const Origin from = drawing.raws[s.raw].origin;
     if (from.kind != Origin::Kind::ring) continue;
     const Point a = drawing.points[s.a], b = drawing.points[s.b];
-    area[from.index] += cross(a - origin, b - origin);
+    area[from.index] += doubled_area(origin, a, b);
     around[from.index] += length(b - a);
   }
   const double rounding = rounding_of(drawing.points);

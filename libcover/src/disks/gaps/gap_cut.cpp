@@ -15,6 +15,7 @@
 #include "base/numbers.hpp"
 #include "disks/gaps/gap.hpp"
 #include "geom/foot.hpp"
+#include "geom/triangle.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -68,7 +68,4 @@ double turn(Vector a, Vector b);
 /// disk, distance back along a line.
 double way_back(const Element& e, Point from, Point to);
 
-/// Centre of the circle through three points.
-Point circumcentre(Point a, Point b, Point c);
-
 }  // namespace cover::disks
