@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "base/numbers.hpp"
+#include "geom/cotangent.hpp"
 #include "geom/foot.hpp"
 #include "geom/vector.hpp"
 
@@ -48,9 +49,7 @@ const ClearZones::State& ClearZones::of(std::uint32_t side) {
 }
 
 ClearZones::State ClearZones::find_out(const RegionSide& side) {
-  const auto whole = [](double angle) {
-    return State{true, true, false, false, std::cos(angle) / std::sin(angle)};
-  };
+  const auto whole = [](double angle) { return State{true, true, false, false, cot_of(angle)}; };
   constexpr double kRight = std::numbers::pi / 2 + kZoneSlack;
   if (meshes_ == Meshes::coupled && side.is_free && angle_ > kRight) {
     if (view_.bend() == 0) return whole(kRight);
@@ -64,7 +63,7 @@ ClearZones::State ClearZones::walk(const RegionSide& side, double angle) {
   const Triangulation& cdt = view_.cdt();
   const Point a = view_.point(side.a);
   const Vector along = view_.point(side.b) - a;
-  const double cot = std::cos(angle) / std::sin(angle);
+  const double cot = cot_of(angle);
   const double l = length(along), radius = l / (2 * std::sin(angle)) * (1 + kAngleSlack);
   const double middle = l / 2, height = l / 2 * cot;  // of the centre of the disk
   const auto local = [&](std::uint32_t v) {

@@ -4,7 +4,6 @@
 #include "limits/angles/limit_prover.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <mutex>
 #include <numbers>
@@ -13,6 +12,7 @@
 #include <utility>
 
 #include "base/numbers.hpp"
+#include "geom/cotangent.hpp"
 #include "geom/vector.hpp"
 #include "limits/angles/apex_search.hpp"
 #include "limits/angles/clear_zones.hpp"
@@ -29,8 +29,6 @@ constexpr double kNearQuestion = kDegree, kExactQuestion = 1e-6 * kDegree,
 
 /// Sides of a region in which all are asked about the largest angle.
 constexpr std::size_t kFewSides = 64;
-
-double cot_of(double angle) { return std::cos(angle) / std::sin(angle); }
 
 /// The effort for what is far, which is seen at once or not worth its time.
 ProofEffort quick(ProofEffort effort) {
