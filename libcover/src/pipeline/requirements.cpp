@@ -6,8 +6,6 @@
 
 #include <cover/judged_angle.hpp>
 
-#include "geom/angle_rounding.hpp"
-
 namespace cover {
 namespace {
 
@@ -68,8 +66,7 @@ std::vector<std::string> unmet_requirements(const Output& output, const Options&
   const std::string limit =
       fmt::format("max-angle (no angle above {:g} degrees)", options.max_angle.in_degrees());
   add(require.max_angle, limit.c_str(), [&](const RegionReport& r) {
-    return judged_nu(r.quality).in_radians() <
-           options.max_angle.supplement().in_radians() - kAngleMet;
+    return !meets(judged_nu(r.quality), options.max_angle.supplement());
   });
   add(require.delaunay,
       "delaunay (no inner edge fails the empty-circle test by more than rounding)",

@@ -11,6 +11,8 @@
 #include <span>
 #include <utility>
 
+#include <cover/judged_angle.hpp>
+
 #include "base/numbers.hpp"
 #include "geom/cotangent.hpp"
 #include "geom/vector.hpp"
@@ -320,14 +322,11 @@ bool LimitProver::is_near(const ReachedAngles& reached, const ReachedAngles& wan
                           const ProofEffort& effort) {
   const double lowest = std::max(std::numbers::pi - nu_opt_, kSixty);
   std::uint64_t budget = effort.per_region + effort.per_side * view_.sides().size();
-  const auto misses = [](Angle angle, Angle target) {
-    return angle.in_radians() < target.in_radians() - kAngleSlack;
-  };
-  if (misses(reached.largest_nu, wanted.largest_nu)) {
+  if (!meets(reached.largest_nu, wanted.largest_nu)) {
     const double most = std::numbers::pi - reached.largest_nu.in_radians() - kNearQuestion;
     if (most > lowest && !refutes({most, 0}, budget, effort)) return false;
   }
-  if (!misses(reached.smallest, wanted.smallest)) return true;
+  if (meets(reached.smallest, wanted.smallest)) return true;
   const double least = reached.smallest.in_radians() + kNearQuestion;
   if (least >= std::min((std::numbers::pi - lowest) / 2, kSixty)) return true;
   const double most =
