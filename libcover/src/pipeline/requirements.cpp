@@ -6,6 +6,8 @@
 
 #include <cover/judged_angle.hpp>
 
+#include "base/words/and_more.hpp"
+
 namespace cover {
 namespace {
 
@@ -36,8 +38,7 @@ std::string names_of_regions_where(const Output& output, Test test) {
     names += fmt::format("{}{} '{}'", names.empty() ? "" : ", ", region.id.value(),
                          output.table.region(region.id).name);
   }
-  if (count > kListed) names += fmt::format(" and {} more", count - kListed);
-  return fmt::format("region{} {}", count == 1 ? "" : "s", names);
+  return fmt::format("region{} {}{}", count == 1 ? "" : "s", names, and_more(count, kListed));
 }
 
 }  // namespace

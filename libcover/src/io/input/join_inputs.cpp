@@ -13,6 +13,7 @@
 
 #include "base/faults/errors.hpp"
 #include "base/numbers.hpp"
+#include "base/words/and_more.hpp"
 #include "base/words/characters.hpp"
 
 namespace cover {
@@ -166,7 +167,7 @@ Result<Input> join_inputs(std::vector<Input> inputs) {
   if (inputs.empty()) return bad_option("there is no input to join");
   std::string source = inputs.front().source;
   for (std::size_t k = 1; k < inputs.size() && k < kNamed; ++k) source += ", " + inputs[k].source;
-  if (inputs.size() > kNamed) source += fmt::format(" and {} more", inputs.size() - kNamed);
+  source += and_more(inputs.size(), kNamed);
   Input all = std::move(inputs.front());
   for (std::size_t k = 1; k < inputs.size(); ++k) {
     if (Status status = join(all, std::move(inputs[k]), k + 1); !status)
