@@ -36,7 +36,7 @@ std::optional<Point> touching_point(const TriangleDraft& draft, const Gap& gap, 
     if (s.is_line()) {
       const double t = dot(s.d, p - begin);
       if (t <= 0 || t >= dot(s.d, end - begin)) return std::nullopt;
-    } else if (turn(p - s.c, begin - s.c) >= turn(end - s.c, begin - s.c)) {
+    } else if (ccw_angle(p - s.c, begin - s.c) >= ccw_angle(end - s.c, begin - s.c)) {
       return std::nullopt;
     }
   }
@@ -79,8 +79,8 @@ GapAngles measure(const TriangleDraft& draft, const Gap& gap) {
   result.centre = circumcentre(t[(omit + 1) & 3], t[(omit + 2) & 3], t[(omit + 3) & 3]);
   for (std::size_t k = 0; k < 4; ++k) {
     const Point p = t[(k + 3) & 3], q = t[k];
-    result.beta[k] = 0.5 * turn(p - result.centre, q - result.centre);
-    if (gap.e[k].is_disk()) result.gamma[k] = 0.5 * turn(q - gap.e[k].c, p - gap.e[k].c);
+    result.beta[k] = 0.5 * ccw_angle(p - result.centre, q - result.centre);
+    if (gap.e[k].is_disk()) result.gamma[k] = 0.5 * ccw_angle(q - gap.e[k].c, p - gap.e[k].c);
   }
   return result;
 }

@@ -39,7 +39,8 @@ Point mirrored(const Element& e, Point p, Point c) {
 /// pi/2 minus the largest half angle of the quadrilateral as seen from `c`.
 double slack(Point c, const std::array<Point, 4>& q) {
   double widest = 0;
-  for (std::size_t k = 0; k < 4; ++k) widest = std::max(widest, turn(q[k] - c, q[(k + 1) & 3] - c));
+  for (std::size_t k = 0; k < 4; ++k)
+    widest = std::max(widest, ccw_angle(q[k] - c, q[(k + 1) & 3] - c));
   return std::numbers::pi / 2 - widest / 2;
 }
 

@@ -50,13 +50,13 @@ Vector outward(const Element& e, Point q) {
   return (1 / norm(v)) * v;
 }
 
-double turn(Vector a, Vector b) {
+double ccw_angle(Vector a, Vector b) {
   const double angle = std::atan2(cross(a, b), dot(a, b));
   return angle < 0 ? angle + kFullTurn : angle;
 }
 
 double way_back(const Element& e, Point from, Point to) {
-  return e.is_disk() ? turn(from - e.c, to - e.c) : dot(e.d, from - to);
+  return e.is_disk() ? ccw_angle(from - e.c, to - e.c) : dot(e.d, from - to);
 }
 
 }  // namespace cover::disks
