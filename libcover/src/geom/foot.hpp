@@ -61,6 +61,13 @@ inline Point nearest_on_segment(Point a, Point b, Point p) {
   return a + part_on_segment(a, b, p) * (b - a);
 }
 
+/// From the area, so that it keeps its digits where `p` is nearly on the line.
+///
+/// REQUIRES: a != b
+inline double distance_to_line(Point p, Point a, Point b) {
+  return std::abs(cross(b - a, p - a)) / length(b - a);
+}
+
 /// `a` and `b` may be the same.
 inline double distance_to_segment(Point p, Point a, Point b) {
   return length(p - nearest_on_segment(a, b, p));

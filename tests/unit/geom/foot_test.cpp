@@ -36,6 +36,7 @@ TEST(Foot, TellsWhereOnALineOrSegmentItLies) {
   EXPECT_EQ(part_on_segment(a, b, {9, 0}), 1);
   EXPECT_EQ(nearest_on_segment(a, b, {9, 4}), b);
   EXPECT_EQ(distance_to_segment({9, 4}, a, b), 5);
+  EXPECT_EQ(distance_to_line({9, 4}, a, b), 3);
   EXPECT_EQ(part_on_segment(a, a, {9, 0}), 0);
   EXPECT_EQ(distance_to_segment({4, 5}, a, a), 5);
 }

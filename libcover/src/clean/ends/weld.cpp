@@ -52,7 +52,7 @@ double distance_from_segment(Point a, Point b, Point w) {
   const double place = part_on_line(a, b, w);
   if (place <= 0) return length(w - a);
   if (place >= 1) return length(w - b);
-  return std::abs(cross(b - a, w - a)) / length(b - a);
+  return distance_to_line(w, a, b);
 }
 
 /// The size of what is drawn; lone points do not count.
