@@ -22,7 +22,7 @@ Fault fault_of(const Corners& k, const SideAllowances& sides, const Goal& goal) 
     }
     if (!is_between_sides(sides, i)) sharpest = std::max(sharpest, cot);
   }
-  if (goal.weight > 0 && sharpest > small * (1 + kSameCot))
+  if (goal.weight > 0 && is_sharper(sharpest, small))
     fault.narrow = 1 - angle_of_cot(sharpest) / angle_of_cot(small);
   return fault;
 }

@@ -110,7 +110,7 @@ struct MissedAngles {
           (options.max_angle != Angle::degrees(90) || is_obtuse(mesh, t, origin)))
         large.add(at);
       if (goal.weight == 0 || t < history.layer_triangles || is_between_sides(sides, i) ||
-          cot <= goal.small * (1 + kSameCot))
+          !is_sharper(cot, goal.small))
         continue;
       // Where sides force it, no triangle on that side is without such an angle.
       (allowed > 0 ? forced : small).add(at);
