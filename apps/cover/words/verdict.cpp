@@ -24,9 +24,6 @@ namespace {
 
 using Grade = Finding::Grade;
 
-/// Radians that a target may be missed by: what the quality method leaves to rounding.
-constexpr double kAngleRounding = 1e-9;
-
 /// What the run aimed at, in degrees; 0: nothing.
 struct Targets {
   double largest = 0;
@@ -119,14 +116,14 @@ struct Misses {
   [[nodiscard]] std::size_t all() const { return best + forced + open; }
 };
 
-Misses misses_of(const std::vector<RegionReport>& regions, double nu_target) {
+Misses misses_of(const std::vector<RegionReport>& regions, Angle wanted_nu) {
   constexpr double kSame = 0.9999;  // of 180 degrees less the angle: equal to the digits shown
   Misses misses;
   for (const RegionReport& region : regions) {
-    const double nu = judged_nu(region.quality).in_radians();
-    const double lowest = region.lowest_nu().in_radians();
-    if (nu >= nu_target) continue;
-    ++(lowest >= nu_target ? misses.open : nu >= kSame * lowest ? misses.best : misses.forced);
+    const Angle nu = judged_nu(region.quality), lowest = region.lowest_nu();
+    if (meets(nu, wanted_nu)) continue;
+    const bool is_best = nu.in_radians() >= kSame * lowest.in_radians();
+    ++(meets(lowest, wanted_nu) ? misses.open : is_best ? misses.best : misses.forced);
   }
   return misses;
 }
@@ -150,8 +147,7 @@ std::string reasons(const Misses& misses) {
 
 Finding check_largest(const Output& output, double target) {
   const auto& regions = output.report.regions;
-  const double nu_target = Angle::degrees(180 - target).in_radians() - kAngleRounding;
-  const Misses misses = misses_of(regions, nu_target);
+  const Misses misses = misses_of(regions, Angle::degrees(180 - target));
   const RegionReport* worst = &*std::min_element(
       regions.begin(), regions.end(), [](const RegionReport& a, const RegionReport& b) {
         return a.quality.largest_nu < b.quality.largest_nu;
@@ -175,10 +171,9 @@ Finding check_largest(const Output& output, double target) {
 
 Finding check_smallest(const Output& output, double target) {
   const auto& regions = output.report.regions;
-  const double limit = Angle::degrees(target).in_radians() - kAngleRounding;
   const auto below = static_cast<std::size_t>(std::count_if(
       regions.begin(), regions.end(),
-      [&](const RegionReport& r) { return r.quality.smallest.in_radians() < limit; }));
+      [&](const RegionReport& r) { return !meets(r.quality.smallest, Angle::degrees(target)); }));
   const std::string smallest = small_angle_text(output.report.quality.smallest) + "°";
   if (target == 0) return {Grade::fact, "Smallest angle", smallest + "; none was asked for."};
   if (below == 0)

@@ -1,4 +1,4 @@
-// What targets for the largest angle are compared with.
+// How angles are compared with targets.
 #pragma once
 
 #include <algorithm>
@@ -7,6 +7,15 @@
 #include <cover/report.hpp>
 
 namespace cover {
+
+/// In radians: an angle that misses a target by less meets it.
+inline constexpr double kAngleMet = 1e-9;
+
+/// Whether an angle that is to be at least `wanted` is: the smallest angle, or 180 degrees less the
+/// largest one.
+constexpr bool meets(Angle reached, Angle wanted) {
+  return reached.in_radians() >= wanted.in_radians() - kAngleMet;
+}
 
 /// 180 degrees less the largest angle, as targets see it: `largest_nu`, but 90 degrees where angles
 /// are above that by no more than rounding of coordinates, so that no triangle is obtuse. So a mesh

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "geom/box.hpp"
+#include "geom/foot.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 
@@ -114,7 +115,7 @@ class Cover {
     std::vector<std::array<double, 2>> covered;
     for (std::size_t k = 0; k < ring_.size(); ++k) {
       if (k == i || !discs_[k].is_free) continue;
-      const double foot = dot(discs_[k].middle - a, along) / squared;
+      const double foot = part_on_line(along, discs_[k].middle - a);
       const double height = cross(along, discs_[k].middle - a) / std::sqrt(squared);
       const double half = discs_[k].squared_radius - height * height;
       if (!(half > room_)) continue;
@@ -151,7 +152,7 @@ class Cover {
   /// The other crossing of two circles through `p`: its image in the line of their middles.
   [[nodiscard]] static Point mirrored(Point p, const Disc& first, Vector between) {
     const Vector normal = left_normal(between);
-    return p + (-2 * dot(p - first.middle, normal) / squared_length(normal)) * normal;
+    return p + (-2 * part_on_line(normal, p - first.middle)) * normal;
   }
 
   [[nodiscard]] bool crossing_is_covered(Point p, std::size_t i, std::size_t j) const {

@@ -7,6 +7,7 @@
 
 #include "base/containers/order.hpp"
 #include "cdt/sight.hpp"
+#include "geom/foot.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 
@@ -22,10 +23,7 @@ bool is_before(const Obstacle& x, const Obstacle& y) {
 
 /// Whether the straight line from p to q has a point in the open disk.
 bool meets_disk(Point p, Point q, Point centre, double squared_radius) {
-  const Vector along = q - p;
-  const double size = squared_length(along);
-  const double share = std::clamp(dot(centre - p, along) / size, 0.0, 1.0);
-  return squared_length(p + share * along - centre) < squared_radius;
+  return squared_length(nearest_on_segment(p, q, centre) - centre) < squared_radius;
 }
 
 }  // namespace
@@ -76,7 +74,7 @@ std::vector<Obstacle> ObstacleFinder::obstacles(EdgeRef side) {
   sort_unique(met);
   for (const std::uint32_t w : met) {
     const Point p = cdt_.points[w];
-    const Obstacle obstacle{dot(p - a, along) / squared, cross(along, p - a) / squared, p};
+    const Obstacle obstacle{part_on_line(along, p - a), cross(along, p - a) / squared, p};
     if (!(obstacle.along > 0 && obstacle.along < 1 && obstacle.height > 0) || budget_ == 0)
       continue;
     --budget_;

@@ -207,11 +207,11 @@ class Divided {
   [[nodiscard]] std::uint32_t dest(Edge e) const { return org_[sym(e)]; }
   [[nodiscard]] Edge lnext(Edge e) const { return prev_[sym(e)]; }
   [[nodiscard]] std::uint32_t apex(Edge e) const { return dest(lnext(e)); }
-  [[nodiscard]] Sign turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+  [[nodiscard]] Sign orientation_of(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     return orientation(at(a), at(b), at(c));
   }
   [[nodiscard]] bool is_left_turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    return turn(a, b, c) == Sign::positive;
+    return orientation_of(a, b, c) == Sign::positive;
   }
   [[nodiscard]] bool is_in_circle(std::uint32_t a, std::uint32_t b, std::uint32_t c,
                                   std::uint32_t d) const {
@@ -271,8 +271,9 @@ class Divided {
   }
   [[nodiscard]] bool hull_is_wide() const {
     bool is_wide = false;
-    each_hull_edge(
-        hull_, [&](Edge e) { is_wide |= turn(org_[hull_], dest(hull_), org_[e]) != Sign::zero; });
+    each_hull_edge(hull_, [&](Edge e) {
+      is_wide |= orientation_of(org_[hull_], dest(hull_), org_[e]) != Sign::zero;
+    });
     return is_wide;
   }
 
@@ -387,7 +388,7 @@ class Divided {
     if (last - first == 2) return part;
     const Edge b = take_edge(part, first + 1, first + 2);
     splice(sym(a), b);
-    const Sign sign = turn(first, first + 1, first + 2);
+    const Sign sign = orientation_of(first, first + 1, first + 2);
     if (sign != Sign::zero) connect(part, b, a);
     if (sign == Sign::negative) part.hull = sym(a);
     return part;
@@ -480,7 +481,7 @@ class Divided {
     Edge e = head;
     do {
       const Edge f = next_[e];
-      const Sign side = turn(u, dest(e), v);
+      const Sign side = orientation_of(u, dest(e), v);
       if (side == Sign::zero && (at(u) < at(dest(e))) == (at(u) < at(v))) return kNone;
       if (side == Sign::positive && is_left_turn(u, dest(e), dest(f)) &&
           is_left_turn(u, v, dest(f)))
@@ -505,7 +506,7 @@ class Divided {
       const Edge f = lnext(sym(e));
       const std::uint32_t w = dest(f);
       if (w == v) break;
-      const Sign side = turn(u, v, w);
+      const Sign side = orientation_of(u, v, w);
       if (side == Sign::zero) return false;
       e = side == Sign::positive ? f : lnext(f);
     }
@@ -522,7 +523,8 @@ class Divided {
       flip(e);
       if ((l == u && r == v) || (l == v && r == u)) {
         own = e;
-      } else if (l == u || l == v || r == u || r == v || turn(u, v, l) == turn(u, v, r)) {
+      } else if (l == u || l == v || r == u || r == v ||
+                 orientation_of(u, v, l) == orientation_of(u, v, r)) {
         made_.push_back(e);
       } else {
         crossed.push_back(e);

@@ -15,6 +15,7 @@
 #include "base/containers/give_back.hpp"
 #include "base/containers/order.hpp"
 #include "base/faults/complaint.hpp"
+#include "base/words/and_more.hpp"
 
 namespace cover {
 namespace {
@@ -41,8 +42,7 @@ std::string list_of_edges(const std::vector<Point>& ends) {
     out += fmt::format("{}from {} to {}", k > 0 ? ", " : "", describe(ends[2 * k]),
                        describe(ends[2 * k + 1]));
   }
-  if (ends.size() / 2 > kPlaces) out += fmt::format(" and {} more", ends.size() / 2 - kPlaces);
-  return out;
+  return out + and_more(ends.size() / 2, kPlaces);
 }
 
 struct Headline {
@@ -279,8 +279,8 @@ void sum_up(const std::vector<Change>& changes, std::vector<Note>& notes) {
       note.where.insert(note.where.end(), change.where.begin(), change.where.end());
     }
     if (count == 0) continue;
-    if (count > kSentences) note.message += fmt::format("; and {} more", count - kSentences);
-    note.message = fmt::format("{} {}: {}", count, what, note.message);
+    note.message =
+        fmt::format("{} {}: {}{}", count, what, note.message, and_more(count, kSentences, ";"));
     notes.push_back(std::move(note));
   }
 }

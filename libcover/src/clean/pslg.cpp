@@ -18,6 +18,7 @@
 
 #include "base/faults/complaint.hpp"
 #include "base/faults/machine_memory.hpp"
+#include "base/words/and_more.hpp"
 #include "clean/change_report.hpp"
 #include "clean/check_input.hpp"
 #include "clean/check_pslg.hpp"
@@ -181,7 +182,7 @@ std::string why(const Report& report) {
   }
   std::string out;
   for (std::size_t k = 0; k < std::min(kMost, told.size()); ++k) out += "; " + told[k];
-  if (told.size() > kMost) out += fmt::format("; and {} more", told.size() - kMost);
+  out += and_more(told.size(), kMost, ";");
   const bool was_welded = std::any_of(report.changes.begin(), report.changes.end(),
                                       [](const auto& c) { return c.kind == Change::Kind::welded; });
   return out +

@@ -11,6 +11,7 @@
 #include "base/containers/order.hpp"
 #include "cdt/sides.hpp"
 #include "geom/curves/arc.hpp"
+#include "geom/triangle.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -60,11 +61,11 @@ Bend bend_of(Point a, Point b, const std::vector<Point>& points) {
   Bend bend{0, -length(b - a)};
   Point before = a;
   for (const Point p : points) {
-    bend.area -= cross(before - a, p - a) / 2;
+    bend.area -= doubled_area(a, before, p) / 2;
     bend.length += length(p - before);
     before = p;
   }
-  bend.area -= cross(before - a, b - a) / 2;
+  bend.area -= doubled_area(a, before, b) / 2;
   bend.length += length(b - before);
   return bend;
 }

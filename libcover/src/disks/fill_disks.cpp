@@ -22,6 +22,7 @@
 #include "disks/remove_spare_vertices.hpp"
 #include "disks/unit_frame.hpp"
 #include "geom/predicates.hpp"
+#include "geom/triangle.hpp"
 
 namespace cover {
 namespace {
@@ -52,8 +53,6 @@ struct Checked {
   double largest_angle = 0;  ///< radians
   PackingRecord record;
 };
-
-double doubled_area(Point a, Point b, Point c) { return cross(b - a, c - a); }
 
 double largest_angle_in(Point a, Point b, Point c) {
   return std::max({angle_at(a, b, c), angle_at(b, c, a), angle_at(c, a, b)});

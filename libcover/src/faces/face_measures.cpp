@@ -7,6 +7,7 @@
 
 #include "base/numbers.hpp"
 #include "geom/predicates.hpp"
+#include "geom/triangle.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -32,25 +33,16 @@ std::array<Point, 3> corners(const Faces& faces, std::size_t t) {
   return {p[f.v[0]], p[f.v[1]], p[f.v[2]]};
 }
 
-Point centroid(const std::array<Point, 3>& c) {
-  return c[0] + (1.0 / 3) * ((c[1] - c[0]) + (c[2] - c[0]));
-}
-
-bool strictly_inside(const std::array<Point, 3>& c, Point p) {
-  return orientation(c[0], c[1], p) == Sign::positive &&
-         orientation(c[1], c[2], p) == Sign::positive &&
-         orientation(c[2], c[0], p) == Sign::positive;
-}
-
 /// For faces whose largest triangle does not hold its own rounded centroid: any triangle that does,
 /// or an inner edge that holds its own rounded midpoint.
 void search_inside(const Faces& faces, std::vector<bool>& wanted, std::vector<FaceMeasure>& out) {
   for (std::size_t t = 0; t < faces.of_triangle.size(); ++t) {
     const std::uint32_t face = faces.of_triangle[t];
     if (!wanted[face]) continue;
-    const auto c = corners(faces, t);
-    if (strictly_inside(c, centroid(c))) {
-      out[face].inside = centroid(c);
+    const auto [a, b, c] = corners(faces, t);
+    const Point middle = centroid(a, b, c);
+    if (is_strictly_inside(a, b, c, middle)) {
+      out[face].inside = middle;
       wanted[face] = false;
     }
   }
@@ -95,13 +87,13 @@ void measure_some(const Faces& faces, std::size_t first, std::size_t last,
     Measured& face = of_face[faces.of_triangle[t]];
     const Triangle& f = faces.triangulation.triangles[t];
     const auto c = corners(faces, t);
-    const double area = cross(c[1] - c[0], c[2] - c[0]);
+    const double area = doubled_area(c[0], c[1], c[2]);
     add_area(t, area);
     face.has_triangles = true;
     if (area > face.largest) {
       face.largest = area;
-      face.inside = centroid(c);
-      face.is_inside = strictly_inside(c, face.inside);
+      face.inside = centroid(c[0], c[1], c[2]);
+      face.is_inside = is_strictly_inside(c[0], c[1], c[2], face.inside);
     }
     for (const Corner i : kCorners) {
       if (!f.is_locked(i) && f.n[i] != kNone) continue;

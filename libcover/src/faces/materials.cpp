@@ -4,12 +4,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
 #include <set>
+
+#include "base/words/parse_number.hpp"
 
 namespace cover {
 namespace {
@@ -18,12 +19,8 @@ constexpr std::int32_t kLargest = std::numeric_limits<std::int32_t>::max();
 
 /// The number that a material is spelled as, none if it is a name.
 std::optional<double> as_number(const std::string& material) {
-  double value = 0;
-  const char* const begin = material.data() + (material.starts_with('+') ? 1 : 0);
-  const char* const end = material.data() + material.size();
-  const auto [stop, status] = std::from_chars(begin, end, value);
-  if (stop != end || status != std::errc()) return {};
-  return value;
+  const std::string_view text = material;
+  return parse_number<double>(text.starts_with('+') ? text.substr(1) : text);
 }
 
 /// The number if it can be kept.

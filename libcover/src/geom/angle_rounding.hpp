@@ -22,9 +22,6 @@ inline double angle_rounding(Point a, Point b, Point c, double largest_coordinat
   return 4 * spacing_at(largest_coordinate) / shortest;
 }
 
-/// In radians: an angle that misses a target by less meets it.
-inline constexpr double kAngleMet = 1e-9;
-
 /// Promise 3: nu of the largest angle of a region whose sides are seen under gamma_opt = pi -
 /// `nu_opt` at least.
 inline double promised_nu(double nu_opt) { return std::min(nu_opt / 2, std::numbers::pi / 6); }

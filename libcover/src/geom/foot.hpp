@@ -27,12 +27,50 @@ inline Point at_part(Point a, Point b, double part) {
   return part <= 0.5 ? a + part * (b - a) : b + (part - 1) * (b - a);
 }
 
-/// Rounded; `a` and `b` may be the same.
+/// Where on the line along `along` the foot of a point is that lies at `to` from its start: 0 at
+/// the start, 1 at the end. Rounded, as all that follow.
+///
+/// REQUIRES: along != 0
+constexpr double part_on_line(Vector along, Vector to) {
+  return dot(to, along) / squared_length(along);
+}
+
+/// The same of the line from `a` to `b` and the point `p`.
+///
+/// REQUIRES: a != b
+constexpr double part_on_line(Point a, Point b, Point p) { return part_on_line(b - a, p - a); }
+
+/// The foot of `p` on the line from `a` to `b`.
+///
+/// REQUIRES: a != b
+inline Point nearest_on_line(Point a, Point b, Point p) {
+  return at_part(a, b, part_on_line(a, b, p));
+}
+
+/// Where on the segment along `along` the place is that is nearest to a point at `to` from its
+/// start: from 0 to 1. The segment may have no length.
+inline double part_on_segment(Vector along, Vector to) {
+  return squared_length(along) > 0 ? std::clamp(part_on_line(along, to), 0.0, 1.0) : 0;
+}
+
+/// The same of the segment from `a` to `b` and the point `p`; `a` and `b` may be the same.
+inline double part_on_segment(Point a, Point b, Point p) { return part_on_segment(b - a, p - a); }
+
+/// The place of the segment from `a` to `b` that is nearest to `p`; `a` and `b` may be the same.
+inline Point nearest_on_segment(Point a, Point b, Point p) {
+  return a + part_on_segment(a, b, p) * (b - a);
+}
+
+/// From the area, so that it keeps its digits where `p` is nearly on the line.
+///
+/// REQUIRES: a != b
+inline double distance_to_line(Point p, Point a, Point b) {
+  return std::abs(cross(b - a, p - a)) / length(b - a);
+}
+
+/// `a` and `b` may be the same.
 inline double distance_to_segment(Point p, Point a, Point b) {
-  const Vector along = b - a;
-  const double whole = squared_length(along);
-  const double part = whole > 0 ? std::clamp(dot(p - a, along) / whole, 0.0, 1.0) : 0;
-  return length(p - (a + part * along));
+  return length(p - nearest_on_segment(a, b, p));
 }
 
 /// How far along a segment, however short, the foot of a point is that lies at `to` from its start.
@@ -42,7 +80,7 @@ inline double distance_to_segment(Point p, Point a, Point b) {
 inline double share_of_tiny(Vector along, Vector to) {
   const int octave = std::ilogb(std::max(std::abs(along.x), std::abs(along.y)));
   const Vector unit{std::ldexp(along.x, -octave), std::ldexp(along.y, -octave)};
-  return std::clamp(std::ldexp(dot(to, unit) / squared_length(unit), -octave), 0.0, 1.0);
+  return std::clamp(std::ldexp(part_on_line(unit, to), -octave), 0.0, 1.0);
 }
 
 /// The foot on the segment from `a` to `b`; rounded, but exact where rounding leaves `p` in the
@@ -52,8 +90,8 @@ inline double share_of_tiny(Vector along, Vector to) {
 /// REQUIRES: a != b; the foot lies between them
 inline Point foot_on(Point a, Point b, Point p) {
   const Vector along = b - a;
-  double from_a = dot(p - a, along) / squared_length(along);
-  double from_b = dot(p - b, along) / squared_length(along);
+  double from_a = part_on_line(along, p - a);
+  double from_b = part_on_line(along, p - b);
   if (squared_length(along) < 0x1p-900) {  // squares of such lengths leave the range of doubles
     from_a = share_of_tiny(along, p - a);
     from_b = -share_of_tiny(-1 * along, p - b);

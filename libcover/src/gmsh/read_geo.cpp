@@ -21,6 +21,8 @@
 
 #include <cover/text.hpp>
 
+#include "base/words/and_more.hpp"
+
 namespace cover {
 namespace {
 
@@ -102,8 +104,8 @@ class Reader {
   Error syntax(const std::vector<std::string>& errors) {
     const std::size_t shown = std::min<std::size_t>(errors.size(), 3);
     std::string message =
-        fmt::format("{}: gmsh: {}", input_.source, listed(std::span(errors).first(shown), "; "));
-    if (shown < errors.size()) message += fmt::format("; and {} more", errors.size() - shown);
+        fmt::format("{}: gmsh: {}{}", input_.source, listed(std::span(errors).first(shown), "; "),
+                    and_more(errors.size(), shown, ";"));
     return {ErrorCode::syntax, std::move(message), {}, {}};
   }
   Error unsupported(const char* what) {

@@ -39,7 +39,7 @@ std::vector<WallPoint> wall_points(const RegionBoundary& boundary,
   for (std::uint32_t s = 0; s < next.size(); ++s) {
     const std::uint32_t n = next[s];
     const Vector before = unit_normal(start(s), end(s)), after = unit_normal(start(n), end(n));
-    if (std::abs(turn(before, after) - 90) > kSkew) continue;
+    if (std::abs(turning_angle(before, after) - 90) > kSkew) continue;
     if (boundary.layers[s] != 0 && boundary.segments[n] != kHullSide) climb(s, n, start(n), end(n));
     if (boundary.layers[n] != 0 && boundary.segments[s] != kHullSide) climb(n, s, end(s), start(s));
   }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "geom/angle_rounding.hpp"
+#include <cover/judged_angle.hpp>
 
 namespace cover {
 namespace {
@@ -16,10 +16,6 @@ Standing standing_of(bool met, Angle reached, Angle limit) {
   if (met) return Standing::met;
   const double gap = limit.in_degrees() - reached.in_degrees();
   return gap <= kNothing ? Standing::optimal : gap <= kNear ? Standing::near : Standing::open;
-}
-
-bool is_reached(Angle reached, Angle wanted) {
-  return reached.in_radians() >= wanted.in_radians() - kAngleMet;
 }
 
 }  // namespace
@@ -43,8 +39,7 @@ const char* describe(Standing standing) {
 }
 
 bool meets(const ReachedAngles& reached, const ReachedAngles& wanted) {
-  return is_reached(reached.largest_nu, wanted.largest_nu) &&
-         is_reached(reached.smallest, wanted.smallest);
+  return meets(reached.largest_nu, wanted.largest_nu) && meets(reached.smallest, wanted.smallest);
 }
 
 RegionLimits limits_by_couplings(const ReachedAngles& reached, const ReachedAngles& wanted) {
@@ -53,8 +48,8 @@ RegionLimits limits_by_couplings(const ReachedAngles& reached, const ReachedAngl
   limits.largest_nu = reached.largest_nu;
   limits.smallest = reached.smallest;
   limits.under = std::min(reached.largest_nu, wanted.largest_nu);
-  limits.of_largest = standing(is_reached(reached.largest_nu, wanted.largest_nu));
-  limits.of_smallest = standing(is_reached(reached.smallest, wanted.smallest));
+  limits.of_largest = standing(meets(reached.largest_nu, wanted.largest_nu));
+  limits.of_smallest = standing(meets(reached.smallest, wanted.smallest));
   return limits;
 }
 
@@ -76,7 +71,7 @@ RegionLimits region_limits(LimitProver& prover, const ReachedAngles& reached,
   prover.compare_with(std::move(around));
   const ProvenLimits proven = prover.prove(reached, wanted, effort, meshes);
   const auto standing = [](Angle angle, Angle target, Angle limit, Meshes of) {
-    const Standing among_them = standing_of(is_reached(angle, target), angle, limit);
+    const Standing among_them = standing_of(meets(angle, target), angle, limit);
     const bool is_proven = among_them == Standing::optimal || among_them == Standing::near;
     return is_proven && of == Meshes::coupled ? Standing::coupled : among_them;
   };

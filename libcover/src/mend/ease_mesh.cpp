@@ -101,7 +101,7 @@ class Easer {
   /// On its line, at the foot of `p`.
   [[nodiscard]] Point on_line(std::uint32_t v, Point p) const {
     const auto& [a, b] = mesh_.lines[mesh_.line[v]];
-    return at_part(a, b, dot(p - a, b - a) / squared_length(b - a));
+    return nearest_on_line(a, b, p);
   }
 
   /// `gradient` of g by the place of `v`, for what moves it.

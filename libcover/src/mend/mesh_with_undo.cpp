@@ -253,9 +253,7 @@ Spot MeshWithUndo::on_line(Point p, std::uint32_t triangle, Corner edge) const {
   const Triangle& t = triangles_[triangle];
   const std::uint32_t line = t.line[edge];
   if (line >= lines_.size()) return {};
-  const Point a = lines_[line].a, b = lines_[line].b;
-  const Vector along = b - a;
-  return {at_part(a, b, dot(p - a, along) / squared_length(along)), triangle, edge};
+  return {nearest_on_line(lines_[line].a, lines_[line].b, p), triangle, edge};
 }
 
 Spot MeshWithUndo::locate(Point p, std::uint32_t triangle) const {

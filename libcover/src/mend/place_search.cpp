@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "base/containers/order.hpp"
+#include "geom/foot.hpp"
+#include "geom/triangle.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -64,13 +66,12 @@ std::vector<Point> PlaceSearch::starts_around(std::uint32_t t) const {
                                                                     : 2U;
   const Point a = p[i.next()], b = p[i.previous()], c = p[i];
   const Vector ab = b - a;
-  const Point foot = a + (dot(c - a, ab) / squared_length(ab)) * ab;
-  const Point centroid = c + (1.0 / 3) * ((a - c) + (b - c));
+  const Point foot = a + part_on_line(a, b, c) * ab;
   // On the perpendicular bisector of the longest edge, seen at a right angle from beyond.
   const Vector n = left_normal(ab);
   const Point m = midpoint(a, b);
   const double side = cross(ab, c - a) > 0 ? -0.5 : 0.5;
-  return {foot, centroid, m + side * n, m};
+  return {foot, centroid(c, a, b), m + side * n, m};
 }
 
 /// Corners of `t` and of its neighbours that may be moved.

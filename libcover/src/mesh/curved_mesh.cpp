@@ -19,6 +19,7 @@
 #include "base/containers/order.hpp"
 #include "base/none.hpp"
 #include "geom/curves/arc.hpp"
+#include "geom/foot.hpp"
 #include "geom/vector.hpp"
 #include "mesh/straight_nodes.hpp"
 
@@ -233,7 +234,7 @@ class Curving {
     double weights = 0;
     for (const Wall& wall : walls) {
       const Vector chord = wall.b - wall.a;
-      const double share = std::clamp(dot(p - wall.a, chord) / squared_length(chord), 0.0, 1.0);
+      const double share = part_on_segment(wall.a, wall.b, p);
       const double away = length(p - (wall.a + share * chord));
       if (away == 0) return {0, 0};  // an end of it: a short edge there stays
       const double weight = 1 / (away * away);

@@ -14,6 +14,7 @@
 
 #include "base/faults/out_of_memory.hpp"
 #include "geom/predicates.hpp"
+#include "geom/triangle.hpp"
 #include "geom/vector.hpp"
 #include "mesh/find_edges.hpp"
 #include "mesh/mesh_builder.hpp"
@@ -109,13 +110,9 @@ class Rebuilder {
       const auto [i, j, k] = soup_.triangles[t];
       const Point a = soup_.points[i], b = soup_.points[j], c = soup_.points[k];
       Region& region = out_.table.region(region_of(t));
-      const Point middle = a + (1.0 / 3) * ((b - a) + (c - a));
-      if (!region.inside && orientation(a, b, middle) == Sign::positive &&
-          orientation(b, c, middle) == Sign::positive &&
-          orientation(c, a, middle) == Sign::positive) {
-        region.inside = middle;
-      }
-      region.area += cross(b - a, c - a) / 2;
+      const Point middle = centroid(a, b, c);
+      if (!region.inside && is_strictly_inside(a, b, c, middle)) region.inside = middle;
+      region.area += doubled_area(a, b, c) / 2;
     }
   }
 

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <span>
 #include <type_traits>
@@ -17,20 +16,18 @@
 #include <cover/option_table.hpp>
 #include <cover/text.hpp>
 
+#include "base/words/parse_number.hpp"
+
 namespace cover::option_kinds {
 
 inline Error bad_option(std::string message) {
   return {ErrorCode::bad_option, std::move(message), {}, {}};
 }
 
-/// A number that fills the whole text.
+/// A number that fills the whole text, with a plus sign or without.
 template <class Number>
 std::optional<Number> parse(std::string_view text) {
-  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
-  Number value{};
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (end != text.data() + text.size() || status != std::errc()) return std::nullopt;
-  return value;
+  return parse_number<Number>(without_plus(text));
 }
 
 /// A number in the range of the row.

@@ -9,7 +9,6 @@
 #include <cover/periodic.hpp>
 #include <cover/verify.hpp>
 
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -24,37 +23,17 @@
 #include "layers/layer_rules.hpp"
 #include "mesh/periodic_nodes.hpp"
 #include "mesh/stitch.hpp"
-#include "method/boundaries_with_wishes.hpp"
 #include "nonobtuse/nonobtuse.hpp"
 #include "pipeline/begin_stage.hpp"
-#include "pipeline/prepare_regions.hpp"
 #include "pipeline/steps.hpp"
-#include "region/region_graph.hpp"
-#include "sizes/expected_triangles.hpp"
 #include "sizes/fields/carry_field.hpp"
-#include "sizes/sizes.hpp"
 #include "target/report/collect_reports.hpp"
 #include "tasks/by_team.hpp"
 #include "tasks/errors_as_values.hpp"
-#include "tasks/for_each_region.hpp"
 #include "tasks/mesh_regions.hpp"
 
 namespace cover {
 namespace {
-
-/// One piece of work per region.
-Status split(Work& work, const Options& options, bool memory_counts,
-             std::span<TriangulatedRegion> triangulated) {
-  return by_team("split", worker_count(options), [&](const Team& team) -> Status {
-    auto boundaries = boundaries_with_wishes(work.pslg, work.table, options, team);
-    if (!boundaries) return std::move(boundaries).error();
-    work.boundaries = *std::move(boundaries);
-    if (work.pslg.points.size() == work.report.input_points)
-      add_known_triangles(triangulated, work.pslg.points.size(), work.boundaries, team);
-    return check_expected_triangles(work.table, work.boundaries, options,
-                                    memory_for_mesh(memory_counts));
-  });
-}
 
 Status mesh_each_region(Work& work, const Options& options, const Callbacks& callbacks) {
   if (options.method == Method::nonobtuse) return mesh_nonobtuse(work, options, callbacks);
@@ -82,62 +61,18 @@ Status look_at_cuts(Work& work, const Options& /*options*/, const Callbacks& /*c
   return apart;
 }
 
-/// `input` is given back early if it may be moved from.
-template <class AnyInput>
-Result<Work> work_of(AnyInput&& input, const Options& options, bool memory_counts,
-                     const Callbacks& callbacks, StageClock& clock) {
-  std::vector<PeriodicRule> rules = periodic_rules(input, options);
-  std::shared_ptr<const PlaneField> field = input.field;
-  Result<PreparedRegions> regions =
-      prepare_regions(std::forward<AnyInput>(input), options, callbacks, clock, memory_counts);
-  if (!regions) return std::move(regions).error();
-  Work work{std::move(regions->prepared)};
-  work.rules = std::move(rules);
-  work.field = std::move(field);
-  if (Status status = split(work, options, memory_counts, regions->triangulated); !status)
-    return std::move(status).error();
-  Status warned = errors_as_values("sizes", [&] {
-    warn_of_sizes(work.pslg, options, work.boundaries, true, work.report.notes);
-    return ok();
-  });
-  if (!warned) return std::move(warned).error();
-  clock.note("split", work.report.times);
-  return work;
-}
-
 template <class AnyInput>
 Result<Output> mesh_input(AnyInput&& input, const Options& asked, const Callbacks& callbacks) {
   return memory_as_value("mesh", [&]() -> Result<Output> {
     StageClock clock;
     const Options options = with_layers_of(input, asked);
-    Result<Work> work = work_of(std::forward<AnyInput>(input), options, true, callbacks, clock);
+    Result<Work> work = begin_work(std::forward<AnyInput>(input), options, true, callbacks, clock);
     return work ? finish_work(*std::move(work), options, callbacks, clock)
                 : std::move(work).error();
   });
 }
 
 }  // namespace
-
-Result<Prepared> prepare(const Input& input, const Options& asked, const Callbacks& callbacks) {
-  return memory_as_value("prepare", [&]() -> Result<Prepared> {
-    StageClock clock;
-    const Options options = with_layers_of(input, asked);
-    Result<PreparedRegions> regions = prepare_regions(input, options, callbacks, clock, true);
-    if (!regions) return std::move(regions).error();
-    Prepared prepared = std::move(regions->prepared);
-    Result<std::vector<RegionReport>> limits =
-        bound_regions(split_regions(prepared.pslg, prepared.table), options, callbacks);
-    if (!limits) return std::move(limits).error();
-    prepared.report.regions = *std::move(limits);
-    clock.note("limits", prepared.report.times);
-    return prepared;
-  });
-}
-
-Result<Work> begin_work(Input&& input, const Options& options, bool memory_counts,
-                        const Callbacks& callbacks, StageClock& clock) {
-  return work_of(std::move(input), options, memory_counts, callbacks, clock);
-}
 
 Result<Output> finish_work(Work work, const Options& options, const Callbacks& callbacks,
                            StageClock& clock) {

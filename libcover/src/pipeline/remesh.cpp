@@ -20,6 +20,7 @@
 #include "base/containers/order.hpp"
 #include "base/faults/errors.hpp"
 #include "base/faults/out_of_memory.hpp"
+#include "base/words/and_more.hpp"
 #include "cdt/cdt.hpp"
 #include "cuts/periodic/match_sides.hpp"
 #include "layers/layer_rules.hpp"
@@ -137,10 +138,9 @@ class OldMesh {
     if (found.violation_count > 1)
       message += fmt::format("; {} in all", counted(found.violation_count, "such fault"));
     if (!missing.empty() && missing.size() < table.regions.size()) {
-      const std::size_t more = missing.size() - std::min(missing.size(), kNamed);
-      missing.resize(missing.size() - more);
-      message += fmt::format("; it has no triangles in {}{}", listed(missing),
-                             more == 0 ? "" : fmt::format(" and {} more", more));
+      const std::string more = and_more(missing.size(), kNamed);
+      missing.resize(std::min(missing.size(), kNamed));
+      message += fmt::format("; it has no triangles in {}{}", listed(missing), more);
     }
     return {ErrorCode::other_mesh, std::move(message), first.where, {}};
   }

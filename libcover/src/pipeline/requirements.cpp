@@ -6,7 +6,7 @@
 
 #include <cover/judged_angle.hpp>
 
-#include "geom/angle_rounding.hpp"
+#include "base/words/and_more.hpp"
 
 namespace cover {
 namespace {
@@ -38,8 +38,7 @@ std::string names_of_regions_where(const Output& output, Test test) {
     names += fmt::format("{}{} '{}'", names.empty() ? "" : ", ", region.id.value(),
                          output.table.region(region.id).name);
   }
-  if (count > kListed) names += fmt::format(" and {} more", count - kListed);
-  return fmt::format("region{} {}", count == 1 ? "" : "s", names);
+  return fmt::format("region{} {}{}", count == 1 ? "" : "s", names, and_more(count, kListed));
 }
 
 }  // namespace
@@ -68,8 +67,7 @@ std::vector<std::string> unmet_requirements(const Output& output, const Options&
   const std::string limit =
       fmt::format("max-angle (no angle above {:g} degrees)", options.max_angle.in_degrees());
   add(require.max_angle, limit.c_str(), [&](const RegionReport& r) {
-    return judged_nu(r.quality).in_radians() <
-           options.max_angle.supplement().in_radians() - kAngleMet;
+    return !meets(judged_nu(r.quality), options.max_angle.supplement());
   });
   add(require.delaunay,
       "delaunay (no inner edge fails the empty-circle test by more than rounding)",

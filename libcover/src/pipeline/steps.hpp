@@ -14,11 +14,13 @@
 namespace cover {
 
 /// Input made clean, and its regions as pieces of work, with the sizes and layers that the options
-/// ask for; no meshes yet. `input` is gone as soon as it is clean.
+/// ask for; no meshes yet. An input that may be moved from is gone as soon as it is clean.
 ///
 /// Errors: those of prepare_regions(), sizes and layers; out_of_memory where `memory_counts` and
 ///         the mesh would take more than there is
 Result<Work> begin_work(Input&& input, const Options& options, bool memory_counts,
+                        const Callbacks& callbacks, StageClock& clock);
+Result<Work> begin_work(const Input& input, const Options& options, bool memory_counts,
                         const Callbacks& callbacks, StageClock& clock);
 
 /// Meshes, cuts again where that is asked for, stitches.

@@ -2,7 +2,6 @@
 #include <cover/regions.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
 #include <fmt/core.h>
@@ -10,18 +9,13 @@
 #include <cover/pslg.hpp>
 #include <cover/text.hpp>
 
+#include "base/words/parse_number.hpp"
+
 namespace cover {
 namespace {
 
 constexpr std::string_view kById = "region:";
 constexpr std::string_view kByMarker = "marker ";
-
-std::optional<int> whole_number(std::string_view text) {
-  int value = 0;
-  const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (status != std::errc() || stop != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 template <class Test>
 std::vector<RegionId> regions_where(const RegionTable& table, Test test) {
@@ -38,11 +32,11 @@ std::vector<RegionId> named_regions(const RegionTable& table, std::string_view n
   auto found = regions_where(
       table, [&](const Region& r) { return r.name == name || r.material_name == name; });
   if (!found.empty()) return found;
-  if (const auto material = whole_number(name)) {
+  if (const auto material = parse_number<int>(name)) {
     return regions_where(table, [&](const Region& r) { return r.material == *material; });
   }
   if (!name.starts_with(kById)) return {};
-  const auto id = whole_number(name.substr(kById.size()));
+  const auto id = parse_number<int>(name.substr(kById.size()));
   if (!id || *id < 1) return {};
   return regions_where(table, [&](const Region& r) { return r.id == RegionId{*id}; });
 }
@@ -55,7 +49,7 @@ std::vector<SegmentId> named_segments(const Pslg& pslg, const RegionTable& table
   }
   if (found.empty()) {
     if (name.starts_with(kByMarker)) name.remove_prefix(kByMarker.size());
-    const auto marker = whole_number(name);
+    const auto marker = parse_number<int>(name);
     for (std::size_t s = 0; s < pslg.segments.size() && marker && *marker != 0; ++s)
       if (pslg.segments[s].marker == *marker) found.emplace_back(s);
   }

@@ -14,6 +14,7 @@
 
 #include "base/numbers.hpp"
 #include "cdt/cdt.hpp"
+#include "geom/triangle.hpp"
 #include "geom/vector.hpp"
 #include "region/triangulation_of.hpp"
 #include "sizes/size_field.hpp"
@@ -46,11 +47,10 @@ double triangles_in(double area, double size) {
 
 double area_of(const RegionBoundary& boundary) {
   const Point origin = boundary.points.front();
-  double doubled_area = 0;
-  for (const auto& [a, b] : boundary.sides) {
-    doubled_area += cross(boundary.points[a] - origin, boundary.points[b] - origin);
-  }
-  return doubled_area / 2;
+  double doubled = 0;
+  for (const auto& [a, b] : boundary.sides)
+    doubled += doubled_area(origin, boundary.points[a], boundary.points[b]);
+  return doubled / 2;
 }
 
 /// The smallest size wished anywhere in the region, by its boundary; infinite if there is none.

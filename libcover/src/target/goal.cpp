@@ -2,16 +2,17 @@
 // Tested by tests/unit/target/goal_test.cpp.
 #include "target/goal.hpp"
 
-#include <cmath>
 #include <numbers>
+
+#include "geom/cotangent.hpp"
 
 namespace cover {
 
 Goal Goal::of(Angle max, Angle min) {
   Goal goal;
-  goal.large = -1 / std::tan(max.in_radians());
+  goal.large = -cot_of(max.in_radians());
   if (min.in_radians() > 0) {
-    goal.small = 1 / std::tan(min.in_radians());
+    goal.small = cot_of(min.in_radians());
     goal.weight = min.in_radians() / (std::numbers::pi - max.in_radians());
   }
   return goal;

@@ -114,6 +114,9 @@ inline constexpr double kAimBelow = 0.005;
 /// Cotangents closer than this, relative to 1 or to their size, are equal: rounding.
 inline constexpr double kSameCot = 1e-9;
 
+/// Whether the angle with this cotangent is below the one whose cotangent is `small`.
+inline bool is_sharper(double cot, double small) { return cot > small * (1 + kSameCot); }
+
 /// Excess of a triangle without area, or clockwise.
 inline constexpr double kInverted = kInfinity;
 

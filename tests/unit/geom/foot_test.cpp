@@ -26,6 +26,21 @@ TEST(Foot, IsRoundedOnOthers) {
   }
 }
 
+TEST(Foot, TellsWhereOnALineOrSegmentItLies) {
+  const Point a{1, 1}, b{5, 1};
+  EXPECT_EQ(part_on_line(a, b, {2, 7}), 0.25);
+  EXPECT_EQ(part_on_line(a, b, {-3, 0}), -1);
+  EXPECT_EQ(nearest_on_line(a, b, {9, 0}), (Point{9, 1}));
+  EXPECT_EQ(part_on_segment(a, b, {2, 7}), 0.25);
+  EXPECT_EQ(part_on_segment(a, b, {-3, 0}), 0);
+  EXPECT_EQ(part_on_segment(a, b, {9, 0}), 1);
+  EXPECT_EQ(nearest_on_segment(a, b, {9, 4}), b);
+  EXPECT_EQ(distance_to_segment({9, 4}, a, b), 5);
+  EXPECT_EQ(distance_to_line({9, 4}, a, b), 3);
+  EXPECT_EQ(part_on_segment(a, a, {9, 0}), 0);
+  EXPECT_EQ(distance_to_segment({4, 5}, a, a), 5);
+}
+
 /// The square of the segment's length is no double; the foot was none either.
 TEST(Foot, IsFoundOnASegmentOfUnitsInTheLastPlaceOfZero) {
   const double unit = 0x1p-1074;

@@ -4,6 +4,8 @@
 
 #include <random>
 
+#include <cover/judged_angle.hpp>
+
 #include "cdt/cdt.hpp"
 #include "support/inputs/shapes.hpp"
 
@@ -21,6 +23,15 @@ Triangulation region_cdt_of(const Loop& loop) {
 
 ReachedAngles reached(double largest, double smallest) {
   return {Angle::degrees(180 - largest), Angle::degrees(smallest)};
+}
+
+TEST(RegionLimits, ATargetIsMetButForRounding) {
+  const Angle target = Angle::degrees(20);
+  EXPECT_TRUE(meets(target, target));
+  EXPECT_TRUE(meets(Angle::radians(target.in_radians() - 0.9e-9), target));
+  EXPECT_FALSE(meets(Angle::radians(target.in_radians() - 1.1e-9), target));
+  EXPECT_TRUE(meets(reached(100 + 1e-8, 20 - 1e-8), reached(100, 20)));
+  EXPECT_FALSE(meets(reached(100 + 1e-6, 20), reached(100, 20)));
 }
 
 TEST(RegionLimits, ATriangleIsOptimal) {

@@ -66,8 +66,8 @@ inline double worst_excess(const MutableMesh& mesh) {
   return worst;
 }
 
-/// A star with n vertices whose radius varies gently: hard for a Delaunay triangulation.
-inline RegionBoundary smooth_star(int n) {
+/// A flower of five petals with n vertices: hard for a Delaunay triangulation.
+inline RegionBoundary flower(int n) {
   Loop loop;
   for (int k = 0; k < n; ++k) {
     const double t = 2 * 3.14159265358979 * k / n, r = 1 + 0.2 * std::sin(5 * t);

@@ -82,7 +82,7 @@ TEST(QualityRegion, HandsOverItsTriangulationWithWhatWasProven) {
 }
 
 TEST(QualityRegion, MeetsBothTargetsOnASmoothStar) {
-  const RegionBoundary boundary = smooth_star(1000);
+  const RegionBoundary boundary = flower(1000);
   const RegionMesh mesh = measured(boundary);
   expect_covering(boundary, mesh);
   EXPECT_LE(largest(mesh), 100 + 1e-6);
@@ -125,7 +125,7 @@ TEST(QualityRegion, FindsAPlaceNearASide) {
 }
 
 TEST(QualityRegion, MeetsOtherTargets) {
-  const RegionBoundary boundary = smooth_star(400);
+  const RegionBoundary boundary = flower(400);
   Options options = for_largest();
   options.max_angle = Angle::degrees(110);
   const RegionMesh mesh = measured(boundary, options);
@@ -332,7 +332,7 @@ TEST(QualityRegion, EveryEffortKeepsTheBoundOnRandomPolygons) {
 }
 
 TEST(QualityRegion, BalancedMeetsBothTargetsWhereTheyCanBeMet) {
-  const RegionBoundary boundary = smooth_star(1000);
+  const RegionBoundary boundary = flower(1000);
   const RegionMesh mesh = measured(boundary, Options{});
   expect_covering(boundary, mesh);
   EXPECT_LE(largest(mesh), 100 + 1e-6);

@@ -34,7 +34,7 @@ TEST(SideLimit, ASharpCornerIsTheLimitOfItsSides) {
 }
 
 TEST(SideLimit, NoTriangleOfAnyMeshIsBetter) {
-  const RegionBoundary star = smooth_star(60);
+  const RegionBoundary star = flower(60);
   MutableMesh mesh = cdt_mesh(star);
   for (const MeshTriangle& t : mesh.triangles) {
     const Corners k(mesh.points[t.v[0]], mesh.points[t.v[1]], mesh.points[t.v[2]]);

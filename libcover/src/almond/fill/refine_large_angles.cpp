@@ -14,6 +14,7 @@
 #include "base/team.hpp"
 #include "cdt/sight.hpp"
 #include "geom/predicates.hpp"
+#include "geom/triangle.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -166,12 +167,8 @@ class Refiner {
     return f.is_locked(i) || f.n[i] == kNone;
   }
 
-  /// Relative to the corner of the largest angle, whose edges are the short ones.
   [[nodiscard]] Point circumcentre(const Triangle& f, Corner apex) const {
-    const Point o = corner(f, apex);
-    const Vector u = corner(f, apex.next()) - o, v = corner(f, apex.previous()) - o;
-    const double u2 = squared_length(u), v2 = squared_length(v), d = 2 * cross(u, v);
-    return {o.x + (v.y * u2 - u.y * v2) / d, o.y + (u.x * v2 - v.x * u2) / d};
+    return circumcentre_from(corner(f, apex), corner(f, apex.next()), corner(f, apex.previous()));
   }
 
   bool insert_inside(std::uint32_t t, Point z) {

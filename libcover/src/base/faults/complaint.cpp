@@ -7,6 +7,8 @@
 
 #include <cover/text.hpp>
 
+#include "base/words/and_more.hpp"
+
 namespace cover {
 namespace {
 
@@ -32,7 +34,7 @@ void Complaint::append(const Complaint& other) {
 Error Complaint::error() const {
   std::string message = source_.empty() ? "" : source_ + ": ";
   message += listed(sentences_, "; ");
-  if (count_ > kSentences) message += fmt::format("; and {} more like these", count_ - kSentences);
+  if (count_ > kSentences) message += and_more(count_, kSentences, ";") + " like these";
   return {code_, message, where_, inputs_};
 }
 

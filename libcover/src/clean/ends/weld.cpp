@@ -18,6 +18,8 @@
 #include "base/containers/order.hpp"
 #include "clean/ends/loose_ends.hpp"
 #include "geom/box.hpp"
+#include "geom/foot.hpp"
+#include "geom/triangle.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -45,14 +47,12 @@ struct NearLine {
   friend auto operator<=>(const NearLine&, const NearLine&) = default;
 };
 
-/// Where the point of the line ab nearest to w lies, 0 at a, 1 at b.
-double place_on(Point a, Point b, Point w) { return dot(b - a, w - a) / squared_length(b - a); }
-
+/// From the area, without the difference of two near places that distance_to_segment() takes.
 double distance_from_segment(Point a, Point b, Point w) {
-  const double place = place_on(a, b, w);
+  const double place = part_on_line(a, b, w);
   if (place <= 0) return length(w - a);
   if (place >= 1) return length(w - b);
-  return std::abs(cross(b - a, w - a)) / length(b - a);
+  return distance_to_line(w, a, b);
 }
 
 /// The size of what is drawn; lone points do not count.
@@ -199,7 +199,7 @@ class Search {
       const double whole = length(raw.b - raw.a);
       const double limit = std::min(limit_[w], kFeaturePart * whole);
       const double distance = distance_from_segment(raw.a, raw.b, at(w));
-      const double place = place_on(raw.a, raw.b, at(w));
+      const double place = part_on_line(raw.a, raw.b, at(w));
       const bool is_inside = place * whole > limit && (1 - place) * whole > limit;
       const Strand& line = drawing_.strands[s.raw];
       if (!is_inside) {
@@ -392,7 +392,7 @@ std::vector<bool> wide_polygons(const Input& input, const Network& drawing) {
     const Origin from = drawing.raws[s.raw].origin;
     if (from.kind != Origin::Kind::ring) continue;
     const Point a = drawing.points[s.a], b = drawing.points[s.b];
-    area[from.index] += cross(a - origin, b - origin);
+    area[from.index] += doubled_area(origin, a, b);
     around[from.index] += length(b - a);
   }
   const double rounding = rounding_of(drawing.points);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "cuts/cut_segments.hpp"
+#include "geom/foot.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "quality/effort/effort.hpp"
@@ -179,7 +180,7 @@ class CutSearch {
   [[nodiscard]] static std::vector<Point> places_on(Point a, Point b, const MutableMesh& mesh) {
     std::vector<Point> places{midpoint(a, b)};
     for (const Corner i : kCorners) {
-      const double part = dot(mesh.corner(0, i) - a, b - a) / squared_length(b - a);
+      const double part = part_on_line(a, b, mesh.corner(0, i));
       if (part > kEnd && part < 1 - kEnd) places.push_back(a + part * (b - a));
     }
     return places;

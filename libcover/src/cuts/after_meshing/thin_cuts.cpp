@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -22,6 +21,7 @@
 #include "base/run_all.hpp"
 #include "cuts/after_meshing/one_mesh.hpp"
 #include "cuts/unite_pieces.hpp"
+#include "geom/cotangent.hpp"
 #include "geom/vector.hpp"
 #include "mend/thin_mesh.hpp"
 #include "tasks/errors_as_values.hpp"
@@ -96,9 +96,9 @@ std::vector<WantedAngles> angles_of(const std::vector<RegionMesh>& meshes, const
   for (const RegionMesh& mesh : meshes) {
     const double smallest =
         kSlack * std::min(mesh.report.quality.smallest, options.min_angle).in_radians();
-    angles.push_back({smallest > 0 ? 1 / std::tan(smallest) : 0, 0, false});
+    angles.push_back({smallest > 0 ? cot_of(smallest) : 0, 0, false});
     if (least_nu < Angle::degrees(90))
-      angles.back().worst_cot = -1 / std::tan(kSlack * least_nu.in_radians());
+      angles.back().worst_cot = -cot_of(kSlack * least_nu.in_radians());
   }
   return angles;
 }

@@ -34,9 +34,8 @@ SidesByVertex sides_by_vertex(const RegionBoundary& boundary) {
 
 /// Whether `p` lies beside the segment from `a` to `b`, nearer than a narrow strip would be wide.
 bool may_face(Point a, Point b, Point p) {
-  const Vector along = b - a;
-  const double part = dot(p - a, along) / squared_length(along);
-  return part > 0 && part < 1 && length(p - at_part(a, b, part)) < kThin * length(along);
+  const double part = part_on_line(a, b, p);
+  return part > 0 && part < 1 && length(p - at_part(a, b, part)) < kThin * length(b - a);
 }
 
 }  // namespace
@@ -67,10 +66,9 @@ void look_across(const RegionBoundary& boundary, const Triangulation& cdt, const
 std::vector<Point> feet_across(Point from, Point to, const Facing& facing,
                                const SegmentSizes& sizes, std::span<const Point> apexes) {
   const auto [a, b] = std::minmax({from, to});  // the same from both ends
-  const Vector along = b - a;
   std::vector<std::pair<double, Point>> feet;
   for (const Point& p : facing.vertices) {
-    const double part = dot(p - a, along) / squared_length(along);
+    const double part = part_on_line(a, b, p);
     if (!(part > kLeastBesideFoot && part < 1 - kLeastBesideFoot)) continue;
     const Point foot = foot_on(a, b, p);
     if (length(p - foot) <= kThin * sizes.wished_at(part) &&

@@ -118,8 +118,7 @@ class CouplingRounds {
       const Segment& s = pslg.segments[segment.index()];
       const auto [a, b] =
           std::minmax({pslg.points[s.a.index()], pslg.points[s.b.index()]});  // as from both ends
-      const Vector along = b - a;
-      const double share = dot(apex - a, along) / squared_length(along);
+      const double share = part_on_line(a, b, apex);
       const Point foot = whole.on_whole(
           segment, share > kNearEnd && share < 1 - kNearEnd ? foot_on(a, b, apex) : midpoint(a, b));
       if (!has_room_on_segment(a, b, foot, std::vector<Point>{apex})) continue;

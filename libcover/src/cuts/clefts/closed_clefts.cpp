@@ -10,6 +10,7 @@
 #include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
 #include "cuts/cut_segments.hpp"
+#include "geom/foot.hpp"
 #include "geom/predicates.hpp"
 #include "geom/topology/half_edges.hpp"
 #include "geom/vector.hpp"
@@ -99,7 +100,7 @@ std::optional<std::vector<Point>> cuts_across(const Pslg& pslg, const Cleft& cle
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Vector along = is_right_at_first(pslg, cleft, k, points.size()) ? b - a : d - c;
     across.push_back(straight_across(points[k], along, c, d));
-    const double part = dot(across.back() - c, d - c) / squared_length(d - c);
+    const double part = part_on_line(c, d, across.back());
     if (!(part > before) || !(part < 1)) return std::nullopt;
     before = part;
   }
@@ -454,7 +455,7 @@ class Opener {
     out_.points[u] = mesh_.points[u] + by;
     if (out_.line[u] == ConformingMesh::kInside) return;
     const auto [c, d] = out_.lines[out_.line[u]];
-    out_.points[u] = c + (dot(out_.points[u] - c, d - c) / squared_length(d - c)) * (d - c);
+    out_.points[u] = c + part_on_line(c, d, out_.points[u]) * (d - c);
   }
 
   /// The half-edge to `v` from where the void is, from `to` back against the clock.

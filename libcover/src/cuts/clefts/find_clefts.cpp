@@ -8,6 +8,7 @@
 
 #include "base/numbers.hpp"
 #include "cdt/sides.hpp"
+#include "geom/foot.hpp"
 #include "geom/vector.hpp"
 #include "region/triangulation_of.hpp"
 
@@ -94,8 +95,7 @@ class Finder {
     const Segment& segment = pslg_.segments[boundary.segments[s].index()];
     const Point a = point(segment.a), b = point(segment.b);
     const bool is_left = boundary.vertices[boundary.sides[s][0]] == segment.a;
-    height_[boundary.segments[s].index()][is_left ? 0 : 1] =
-        std::abs(cross(b - a, apex - a)) / length(b - a);
+    height_[boundary.segments[s].index()][is_left ? 0 : 1] = distance_to_line(apex, a, b);
   }
 
   /// `walls` and `across` are sides of the region; kNone: no side.

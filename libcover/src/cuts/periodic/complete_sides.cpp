@@ -10,18 +10,11 @@
 
 #include "base/numbers.hpp"
 #include "cuts/cut_segments.hpp"
+#include "geom/foot.hpp"
 #include "geom/isometry.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
-namespace {
-
-double distance_from(Point a, Point b, Point p) {
-  const double along = std::clamp(dot(p - a, b - a) / squared_length(b - a), 0.0, 1.0);
-  return length(p - (a + along * (b - a)));
-}
-
-}  // namespace
 
 Result<bool> SidesCompletion::complete(const PeriodicRule& rule, const SidesMatch& match) {
   cuts_.clear();
@@ -57,8 +50,8 @@ void SidesCompletion::place(VertexId v, const Isometry& map, const NamedLine& li
   SegmentId nearest;
   for (const SegmentId s : line.segments) {
     const Segment& segment = pslg_.segments[s.index()];
-    const double distance =
-        distance_from(pslg_.points[segment.a.index()], pslg_.points[segment.b.index()], image);
+    const double distance = distance_to_segment(image, pslg_.points[segment.a.index()],
+                                                pslg_.points[segment.b.index()]);
     if (distance >= least) continue;
     least = distance;
     nearest = s;

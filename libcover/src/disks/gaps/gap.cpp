@@ -8,15 +8,15 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "geom/triangle.hpp"
 
 namespace cover::disks {
 namespace {
 
 std::size_t at(int k) { return static_cast<std::size_t>(k & 3); }
 
-double doubled_area(const TriangleDraft& draft, const std::array<Index, 3>& t) {
-  const Point a = draft.points[t[0]];
-  return cross(draft.points[t[1]] - a, draft.points[t[2]] - a);
+double doubled_area_of(const TriangleDraft& draft, const std::array<Index, 3>& t) {
+  return doubled_area(draft.points[t[0]], draft.points[t[1]], draft.points[t[2]]);
 }
 
 /// Opposite sides k and k + 2 that touch within this very gap, at which point; else nothing.
@@ -36,7 +36,7 @@ std::optional<Point> touching_point(const TriangleDraft& draft, const Gap& gap, 
     if (s.is_line()) {
       const double t = dot(s.d, p - begin);
       if (t <= 0 || t >= dot(s.d, end - begin)) return std::nullopt;
-    } else if (turn(p - s.c, begin - s.c) >= turn(end - s.c, begin - s.c)) {
+    } else if (ccw_angle(p - s.c, begin - s.c) >= ccw_angle(end - s.c, begin - s.c)) {
       return std::nullopt;
     }
   }
@@ -72,16 +72,15 @@ GapAngles measure(const TriangleDraft& draft, const Gap& gap) {
   std::size_t omit = 0;
   double largest = -1;
   for (std::size_t k = 0; k < 4; ++k) {
-    const double area =
-        std::abs(cross(t[(k + 2) & 3] - t[(k + 1) & 3], t[(k + 3) & 3] - t[(k + 1) & 3]));
+    const double area = std::abs(doubled_area(t[(k + 1) & 3], t[(k + 2) & 3], t[(k + 3) & 3]));
     if (area > largest) largest = area, omit = k;
   }
   GapAngles result;
   result.centre = circumcentre(t[(omit + 1) & 3], t[(omit + 2) & 3], t[(omit + 3) & 3]);
   for (std::size_t k = 0; k < 4; ++k) {
     const Point p = t[(k + 3) & 3], q = t[k];
-    result.beta[k] = 0.5 * turn(p - result.centre, q - result.centre);
-    if (gap.e[k].is_disk()) result.gamma[k] = 0.5 * turn(q - gap.e[k].c, p - gap.e[k].c);
+    result.beta[k] = 0.5 * ccw_angle(p - result.centre, q - result.centre);
+    if (gap.e[k].is_disk()) result.gamma[k] = 0.5 * ccw_angle(q - gap.e[k].c, p - gap.e[k].c);
   }
   return result;
 }
@@ -162,10 +161,10 @@ GapKind fill_gap(TriangleDraft& draft, const Gap& gap, double tolerance) {
   const std::vector<Index> cell = cell_of(gap);
   double wanted = 0, found = 0, smallest = kInfinity;
   for (std::size_t k = 1; k + 1 < cell.size(); ++k) {
-    wanted += doubled_area(draft, {cell[0], cell[k], cell[k + 1]});
+    wanted += doubled_area_of(draft, {cell[0], cell[k], cell[k + 1]});
   }
   for (std::size_t k = triangles; k < draft.triangles.size(); ++k) {
-    const double area = doubled_area(draft, draft.triangles[k]);
+    const double area = doubled_area_of(draft, draft.triangles[k]);
     found += area;
     smallest = std::min(smallest, area);
   }

@@ -6,6 +6,7 @@
 
 #include "disks/gaps/gap.hpp"
 #include "disks/gaps/small_polygon.hpp"
+#include "geom/triangle.hpp"
 
 namespace cover::disks {
 namespace {

@@ -14,6 +14,8 @@
 // Tested by tests/unit/disks/gaps/gap_test.cpp.
 #include "base/numbers.hpp"
 #include "disks/gaps/gap.hpp"
+#include "geom/foot.hpp"
+#include "geom/triangle.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,13 +33,14 @@ struct Cut {
 Point mirrored(const Element& e, Point p, Point c) {
   if (e.is_line()) return p + (-2 * dot(e.d, p - c)) * e.d;
   const Vector u = c - e.c, v = p - e.c;
-  return e.c + (2 * dot(u, v) / squared_length(u)) * u + (-1.0) * v;
+  return e.c + (2 * part_on_line(u, v)) * u + (-1.0) * v;
 }
 
 /// pi/2 minus the largest half angle of the quadrilateral as seen from `c`.
 double slack(Point c, const std::array<Point, 4>& q) {
   double widest = 0;
-  for (std::size_t k = 0; k < 4; ++k) widest = std::max(widest, turn(q[k] - c, q[(k + 1) & 3] - c));
+  for (std::size_t k = 0; k < 4; ++k)
+    widest = std::max(widest, ccw_angle(q[k] - c, q[(k + 1) & 3] - c));
   return std::numbers::pi / 2 - widest / 2;
 }
 

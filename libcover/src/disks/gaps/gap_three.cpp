@@ -5,6 +5,7 @@
 // line; radii are at right angles to tangents: 4 triangles.
 // Tested by tests/unit/disks/gaps/gap_test.cpp.
 #include "disks/gaps/gap.hpp"
+#include "geom/triangle.hpp"
 
 namespace cover::disks {
 namespace {

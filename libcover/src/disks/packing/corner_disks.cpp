@@ -13,6 +13,7 @@
 
 #include "base/numbers.hpp"
 #include "disks/packing/visits.hpp"
+#include "geom/foot.hpp"
 
 namespace cover::disks {
 namespace {
@@ -71,7 +72,7 @@ double CornerDisks::distance_to_edge(Point p, TriangleCorner opposite) const {
   const Point a = at(t.v[i.next()]), b = at(t.v[i.previous()]);
   const Vector e = b - a, v = p - a;
   if (cross(e, v) <= 0) return kInfinity;
-  return norm(v - std::clamp(dot(v, e) / squared_length(e), 0.0, 1.0) * e);
+  return norm(v - part_on_segment(e, v) * e);
 }
 
 double CornerDisks::clearance(const Visit& visit) const {
@@ -110,7 +111,7 @@ void CornerDisks::fill_corner(Index k, double fraction) {
   const Point v = at(vertex);
   const Vector out = packing_.elements[k].d, in = -1.0 * packing_.elements[chord_in].d;
   DiskCorner& corner = corners_[k];
-  corner.theta = turn(out, in);
+  corner.theta = ccw_angle(out, in);
   if (corner.theta == 0) corner.theta = kFullTurn;
   constexpr double kSector = kFullTurn / 3 * (1 + 1e-12);
   corner.disks = static_cast<Index>(std::max(1.0, std::ceil(corner.theta / kSector)));
@@ -171,7 +172,7 @@ void CornerDisks::make_cycles() {
 Index CornerDisks::disk_towards(Index k, Point p) const {
   const DiskCorner& corner = corners_[k];
   if (visit(k).is_isolated()) return corner.first_disk;
-  const double angle = turn(packing_.elements[k].d, p - at(visit(k).vertex));
+  const double angle = ccw_angle(packing_.elements[k].d, p - at(visit(k).vertex));
   const auto sector = static_cast<Index>(angle / corner.theta * corner.disks);
   return corner.first_disk + std::min(sector, corner.disks - 1);
 }

@@ -1,12 +1,9 @@
 // Tested by tests/unit/disks/packing/search/apollonius_test.cpp.
 #include "disks/packing/disk.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/numbers.hpp"
-#include "geom/topology/corner.hpp"
 
 namespace cover::disks {
 
@@ -53,27 +50,13 @@ Vector outward(const Element& e, Point q) {
   return (1 / norm(v)) * v;
 }
 
-double turn(Vector a, Vector b) {
+double ccw_angle(Vector a, Vector b) {
   const double angle = std::atan2(cross(a, b), dot(a, b));
   return angle < 0 ? angle + kFullTurn : angle;
 }
 
 double way_back(const Element& e, Point from, Point to) {
-  return e.is_disk() ? turn(from - e.c, to - e.c) : dot(e.d, from - to);
-}
-
-Point circumcentre(Point a, Point b, Point c) {
-  // From the vertex with the widest angle the two other sides are shortest: least cancellation.
-  const std::array<Point, 3> p{a, b, c};
-  Corner k;
-  double longest = -1;
-  for (const Corner i : kCorners) {
-    const double l = squared_length(p[i.next()] - p[i.previous()]);
-    if (l > longest) longest = l, k = i;
-  }
-  const Vector u = p[k.next()] - p[k], v = p[k.previous()] - p[k];
-  const double u2 = squared_length(u), v2 = squared_length(v), twice = 2 * cross(u, v);
-  return p[k] + Vector{(u2 * v.y - v2 * u.y) / twice, (v2 * u.x - u2 * v.x) / twice};
+  return e.is_disk() ? ccw_angle(from - e.c, to - e.c) : dot(e.d, from - to);
 }
 
 }  // namespace cover::disks

@@ -62,13 +62,10 @@ Point contact(const Element& e, Point x);
 Vector outward(const Element& e, Point q);
 
 /// The angle from `a` to `b`, in [0, 2 pi), turning counter-clockwise.
-double turn(Vector a, Vector b);
+double ccw_angle(Vector a, Vector b);
 
 /// How far `to` lies from `from` against the direction of the side: counter-clockwise angle on a
 /// disk, distance back along a line.
 double way_back(const Element& e, Point from, Point to);
-
-/// Centre of the circle through three points.
-Point circumcentre(Point a, Point b, Point c);
 
 }  // namespace cover::disks

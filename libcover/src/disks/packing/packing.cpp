@@ -18,7 +18,9 @@ constexpr Index kShortCycle = 40;
 constexpr double kOnSide = 1e-9;
 
 /// The clockwise angle from `a` to `b` around the centre of `disk`.
-double clockwise(const Element& disk, Point a, Point b) { return turn(b - disk.c, a - disk.c); }
+double clockwise(const Element& disk, Point a, Point b) {
+  return ccw_angle(b - disk.c, a - disk.c);
+}
 
 }  // namespace
 
@@ -194,7 +196,7 @@ void Packing::split_side(const Contact& contact, Index vertex, Index* before, In
 }
 
 std::vector<Index> Packing::insert_disk(Circle disk, std::vector<Contact> contacts) {
-  const auto angle = [&](const Contact& c) { return turn({1, 0}, c.at - disk.c); };
+  const auto angle = [&](const Contact& c) { return ccw_angle({1, 0}, c.at - disk.c); };
   std::sort(contacts.begin(), contacts.end(), [&](const Contact& a, const Contact& b) {
     const double s = angle(a), t = angle(b);
     return s != t ? s < t : a.side < b.side;

@@ -16,6 +16,7 @@
 #include <cmath>
 
 #include "geom/double_double.hpp"
+#include "geom/foot.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 
@@ -100,7 +101,7 @@ Point ArcOver::at(double share) const {
          (-turn_ * height / (2 * half)) * left_normal(chord);
 }
 
-Point ArcOver::above(Point p) const { return at(dot(p - a_, b_ - a_) / squared_length(b_ - a_)); }
+Point ArcOver::above(Point p) const { return at(part_on_line(a_, b_, p)); }
 
 bool ArcOver::is_on_circle(Point p) const {
   const double size = std::max({radius_, std::abs(p.x), std::abs(p.y)});

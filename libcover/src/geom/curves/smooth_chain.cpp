@@ -188,11 +188,7 @@ bool push_back(std::vector<Point>& curve, const std::vector<Point>& corners,
   for (int round = 0; round < kRounds; ++round) {
     bool pushed = false;
     for (std::size_t k = 0; k + 1 < curve.size(); ++k) {
-      const Vector along = curve[k + 1] - curve[k];
-      const double whole = squared_length(along);
-      const double part =
-          whole > 0 ? std::clamp(dot(corners[k] - curve[k], along) / whole, 0.0, 1.0) : 0;
-      const Vector missed = corners[k] - (curve[k] + part * along);
+      const Vector missed = corners[k] - nearest_on_segment(curve[k], curve[k + 1], corners[k]);
       const double distance = length(missed);
       if (distance <= kMostMoved - kInside / 2) continue;
       pushed = true;

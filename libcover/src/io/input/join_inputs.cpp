@@ -17,6 +17,7 @@
 
 #include "base/faults/errors.hpp"
 #include "base/numbers.hpp"
+#include "base/words/and_more.hpp"
 #include "base/words/characters.hpp"
 #include "io/input/coordinate_systems.hpp"
 #include "io/input/map_words.hpp"
@@ -220,7 +221,7 @@ Result<Input> join_inputs(std::vector<Input> inputs) {
   if (std::optional<Error> missing = find_missing(inputs)) return *std::move(missing);
   std::string source = inputs.front().source;
   for (std::size_t k = 1; k < inputs.size() && k < kNamed; ++k) source += ", " + inputs[k].source;
-  if (inputs.size() > kNamed) source += fmt::format(" and {} more", inputs.size() - kNamed);
+  source += and_more(inputs.size(), kNamed);
   Input all = std::move(inputs.front());
   for (std::size_t k = 1; k < inputs.size(); ++k) {
     if (Status status = join(all, std::move(inputs[k]), k + 1); !status)

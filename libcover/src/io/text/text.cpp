@@ -15,6 +15,7 @@
 
 #include "base/numbers.hpp"
 #include "base/words/characters.hpp"
+#include "base/words/parse_number.hpp"
 
 namespace cover {
 namespace {
@@ -24,24 +25,6 @@ constexpr std::string_view kBlanksAndCommas = " \t\r\v\f,";
 
 /// A field without the commas that separate it from its neighbours.
 std::string_view without_commas(std::string_view field) { return trimmed(field, ","); }
-
-/// from_chars takes no leading plus sign, files have them.
-std::string_view without_plus(std::string_view field) {
-  const bool plus = field.size() > 1 && field[0] == '+' && field[1] != '-' && field[1] != '+';
-  return plus ? field.substr(1) : field;
-}
-
-/// What a spelled number that is out of a double's range is closest to.
-double out_of_range_value(std::string_view field) {
-  const bool negative = field[0] == '-';
-  const std::size_t e = field.find_first_of("eE");
-  // Without an exponent only a very long number can be out of range: large if it has an integer
-  // part, else small.
-  const bool small = e == std::string_view::npos ? field.substr(negative ? 1 : 0, 2) == "0."
-                                                 : field.substr(e + 1, 1) == "-";
-  const double size = small ? 0 : kInfinity;
-  return negative ? -size : size;
-}
 
 /// Sizes above this are believed byte by byte: sparse files can announce anything.
 constexpr std::uintmax_t kMostAtOnce = std::uintmax_t{1} << 30U;
@@ -81,16 +64,12 @@ std::optional<double> parse_double(std::string_view field) {
   double value = 0;
   const auto [end, status] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (end != field.data() + field.size() || status == std::errc::invalid_argument) return {};
-  if (status == std::errc::result_out_of_range) return out_of_range_value(field);
+  if (status == std::errc::result_out_of_range) return nearest_in_range(field);
   return value;
 }
 
 std::optional<long> parse_integer(std::string_view field) {
-  field = without_plus(field);
-  long value = 0;
-  const auto [end, status] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (end != field.data() + field.size() || status != std::errc()) return {};
-  return value;
+  return parse_number<long>(without_plus(field));
 }
 
 std::string extension_of(const std::string& path) {

@@ -127,7 +127,7 @@ bool LayerFront::is_joined(std::uint32_t n) const {
   if (node.rule == 0 || before.rule != node.rule || before.rows != node.rows || node.prev == n)
     return false;
   if (nodes_[node.next].vertex == before.vertex) return true;
-  return turn(before.normal, node.normal) <= kMitre;
+  return turning_angle(before.normal, node.normal) <= kMitre;
 }
 
 /// The edges that get a row, in runs.
@@ -168,14 +168,14 @@ bool LayerFront::meets(Vector chain, std::uint32_t wall, Point corner, Point top
 bool LayerFront::meets_before(std::uint32_t n) const {
   const Node& node = nodes_[n];
   const std::uint32_t wall = node.prev;
-  return std::abs(turn(nodes_[wall].normal, node.normal) - 90) <= kSkew &&
+  return std::abs(turning_angle(nodes_[wall].normal, node.normal) - 90) <= kSkew &&
          meets(node.normal, wall, start_of(n), start_of(wall), node);
 }
 
 bool LayerFront::meets_after(std::uint32_t n) const {
   const Node& node = nodes_[n];
   const std::uint32_t wall = node.next;
-  return std::abs(turn(node.normal, nodes_[wall].normal) - 90) <= kSkew &&
+  return std::abs(turning_angle(node.normal, nodes_[wall].normal) - 90) <= kSkew &&
          meets(node.normal, wall, start_of(wall), end_of(wall), node);
 }
 

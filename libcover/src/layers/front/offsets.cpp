@@ -48,10 +48,12 @@ std::vector<Offset> fan(const Offset& f, double degrees) {
 
 }  // namespace
 
-double turn(Vector from, Vector to) { return std::atan2(cross(from, to), dot(from, to)) / kDegree; }
+double turning_angle(Vector from, Vector to) {
+  return std::atan2(cross(from, to), dot(from, to)) / kDegree;
+}
 
 Offset offset_of(Point base, Vector from, Vector to, bool turn_back) {
-  const double right = turn_back ? 180 : -turn(from, to);
+  const double right = turn_back ? 180 : -turning_angle(from, to);
   if (right <= kMitre) return plain(base, mitre(from, to));
   if (std::abs(right - 90) <= kSkew) return corner(base, from, to);
   return {Offset::Kind::fan, base, {}, from, to};
@@ -64,7 +66,7 @@ std::vector<Offset> tops_of(const Offset& offset, double below) {
     case Offset::Kind::corner:
       return square(offset, below);
     case Offset::Kind::fan: {
-      const double right = -turn(offset.from, offset.to);
+      const double right = -turning_angle(offset.from, offset.to);
       return fan(offset, right <= 0 ? right + 360 : right);
     }
   }

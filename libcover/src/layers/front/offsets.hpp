@@ -34,7 +34,7 @@ struct Offset {
 
 /// The angle in degrees by which a line turns left from an edge with normal `from` to one with
 /// normal `to`; in [-180, 180].
-double turn(Vector from, Vector to);
+double turning_angle(Vector from, Vector to);
 
 /// The offset of a vertex of the boundary between edges with these unit normals.
 ///

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/numbers.hpp"
+#include "geom/triangle.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -15,7 +16,7 @@ AnglesAround AnglesAround::of(std::span<const Point> points, std::span<const Ind
   around.most_cot.assign(points.size(), -kInfinity);
   for (const IndexTriple& t : triangles) {
     const Point a = points[t[0]], b = points[t[1]], c = points[t[2]];
-    const double area = cross(b - a, c - a);
+    const double area = doubled_area(a, b, c);
     const double cots[3] = {dot(b - a, c - a) / area, dot(c - b, a - b) / area,
                             dot(a - c, b - c) / area};
     const auto [least, most] = std::minmax({cots[0], cots[1], cots[2]});

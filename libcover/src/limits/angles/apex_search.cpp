@@ -24,6 +24,8 @@
 #include <numbers>
 #include <utility>
 
+#include "geom/cotangent.hpp"
+
 namespace cover {
 namespace {
 
@@ -47,7 +49,7 @@ ApexSearch::ApexSearch(const RegionView& view, ClearZones& zones, const FanGrowt
       growth_(growth),
       range_(growth.range()),
       minds_ending_(zones.meshes() == Meshes::coupled && range_.least > 0),
-      cot_(std::cos(zones.angle()) / std::sin(zones.angle())),
+      cot_(cot_of(zones.angle())),
       reach_(direction_of(std::numbers::pi - range_.least + kAngleSlack)) {}
 
 ApexSearch::Place ApexSearch::local(std::uint32_t v) const {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "base/numbers.hpp"
+#include "geom/cotangent.hpp"
 #include "geom/foot.hpp"
 #include "geom/vector.hpp"
 
@@ -48,9 +49,7 @@ const ClearZones::State& ClearZones::of(std::uint32_t side) {
 }
 
 ClearZones::State ClearZones::find_out(const RegionSide& side) {
-  const auto whole = [](double angle) {
-    return State{true, true, false, false, std::cos(angle) / std::sin(angle)};
-  };
+  const auto whole = [](double angle) { return State{true, true, false, false, cot_of(angle)}; };
   constexpr double kRight = std::numbers::pi / 2 + kZoneSlack;
   if (meshes_ == Meshes::coupled && side.is_free && angle_ > kRight) {
     if (view_.bend() == 0) return whole(kRight);
@@ -64,7 +63,7 @@ ClearZones::State ClearZones::walk(const RegionSide& side, double angle) {
   const Triangulation& cdt = view_.cdt();
   const Point a = view_.point(side.a);
   const Vector along = view_.point(side.b) - a;
-  const double cot = std::cos(angle) / std::sin(angle);
+  const double cot = cot_of(angle);
   const double l = length(along), radius = l / (2 * std::sin(angle)) * (1 + kAngleSlack);
   const double middle = l / 2, height = l / 2 * cot;  // of the centre of the disk
   const auto local = [&](std::uint32_t v) {
@@ -77,7 +76,7 @@ ClearZones::State ClearZones::walk(const RegionSide& side, double angle) {
     if (p.y < low && q.y < low) return false;
     if (v == side.a || v == side.b) return dot(d, p) < kAngleSlack * length(d) * length(p);
     if (w == side.a || w == side.b) return dot(d, q) > -kAngleSlack * length(d) * length(q);
-    const double t = std::clamp(-dot(p, d) / squared_length(d), 0.0, 1.0);
+    const double t = part_on_segment(d, -1 * p);
     return squared_length(p + t * d) < radius * radius;
   };
   State state{true, false, false, false, cot};

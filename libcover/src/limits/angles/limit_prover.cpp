@@ -4,7 +4,6 @@
 #include "limits/angles/limit_prover.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <mutex>
 #include <numbers>
@@ -12,7 +11,10 @@
 #include <span>
 #include <utility>
 
+#include <cover/judged_angle.hpp>
+
 #include "base/numbers.hpp"
+#include "geom/cotangent.hpp"
 #include "geom/vector.hpp"
 #include "limits/angles/apex_search.hpp"
 #include "limits/angles/clear_zones.hpp"
@@ -29,8 +31,6 @@ constexpr double kNearQuestion = kDegree, kExactQuestion = 1e-6 * kDegree,
 
 /// Sides of a region in which all are asked about the largest angle.
 constexpr std::size_t kFewSides = 64;
-
-double cot_of(double angle) { return std::cos(angle) / std::sin(angle); }
 
 /// The effort for what is far, which is seen at once or not worth its time.
 ProofEffort quick(ProofEffort effort) {
@@ -322,14 +322,11 @@ bool LimitProver::is_near(const ReachedAngles& reached, const ReachedAngles& wan
                           const ProofEffort& effort) {
   const double lowest = std::max(std::numbers::pi - nu_opt_, kSixty);
   std::uint64_t budget = effort.per_region + effort.per_side * view_.sides().size();
-  const auto misses = [](Angle angle, Angle target) {
-    return angle.in_radians() < target.in_radians() - kAngleSlack;
-  };
-  if (misses(reached.largest_nu, wanted.largest_nu)) {
+  if (!meets(reached.largest_nu, wanted.largest_nu)) {
     const double most = std::numbers::pi - reached.largest_nu.in_radians() - kNearQuestion;
     if (most > lowest && !refutes({most, 0}, budget, effort)) return false;
   }
-  if (!misses(reached.smallest, wanted.smallest)) return true;
+  if (meets(reached.smallest, wanted.smallest)) return true;
   const double least = reached.smallest.in_radians() + kNearQuestion;
   if (least >= std::min((std::numbers::pi - lowest) / 2, kSixty)) return true;
   const double most =

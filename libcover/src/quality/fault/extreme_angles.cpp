@@ -2,8 +2,9 @@
 #include "quality/fault/extreme_angles.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
+
+#include "geom/cotangent.hpp"
 
 namespace cover {
 
@@ -27,7 +28,7 @@ AngleRange extreme_angles(const MutableMesh& mesh, const Team& team) {
     least = std::min(least, part.least);
     most = std::max(most, part.most);
   }
-  return {std::atan2(1.0, least), std::atan2(1.0, most)};
+  return {angle_of_cot(least), angle_of_cot(most)};
 }
 
 }  // namespace cover

@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include <cover/judged_angle.hpp>
 #include <cover/text.hpp>
 
 #include "cdt/cdt.hpp"
@@ -32,10 +33,9 @@ std::string remaining(std::size_t count, std::string_view what, Angle limit) {
 /// Segments whose own gamma_opt is above the target, worst first. A segment may be two sides.
 void note_forced(const RegionBoundary& boundary, const AngleLimit& limit, Angle max,
                  std::vector<Note>& notes) {
-  const double nu = max.supplement().in_radians() - kAngleMet;
   std::vector<std::size_t> forced;
   for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
-    if (limit.side_nu[s] < nu) forced.push_back(s);
+    if (!meets(Angle::radians(limit.side_nu[s]), max.supplement())) forced.push_back(s);
   }
   if (forced.empty()) return;
   std::stable_sort(forced.begin(), forced.end(), [&](std::size_t a, std::size_t b) {
@@ -110,7 +110,7 @@ struct MissedAngles {
           (options.max_angle != Angle::degrees(90) || is_obtuse(mesh, t, origin)))
         large.add(at);
       if (goal.weight == 0 || t < history.layer_triangles || is_between_sides(sides, i) ||
-          cot <= goal.small * (1 + kSameCot))
+          !is_sharper(cot, goal.small))
         continue;
       // Where sides force it, no triangle on that side is without such an angle.
       (allowed > 0 ? forced : small).add(at);

@@ -1,7 +1,7 @@
 // See kick.hpp.
 #include "quality/moves/kick.hpp"
 
-#include "geom/vector.hpp"
+#include "geom/triangle.hpp"
 #include "quality/mutable/cavity.hpp"
 #include "quality/optimum/min_max_polygon.hpp"
 
@@ -12,10 +12,9 @@ namespace {
 bool put_inside(MutableMesh& mesh, std::uint32_t t) {
   Cavity cavity(mesh);
   cavity.start(t);
-  const Point a = mesh.corner(t, 0);
-  const Vector to_b = mesh.corner(t, 1) - a, to_c = mesh.corner(t, 2) - a;
+  const Point p = centroid(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
   Installed installed;
-  return install_star(mesh, cavity, a + (1.0 / 3) * (to_b + to_c), installed);
+  return install_star(mesh, cavity, p, installed);
 }
 
 bool put_on_edge(MutableMesh& mesh, std::uint32_t t, Corner i) {

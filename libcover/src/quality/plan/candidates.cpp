@@ -10,6 +10,7 @@
 #include "cdt/region_cdt.hpp"
 #include "cdt/sides.hpp"
 #include "cdt/triangulation.hpp"
+#include "geom/cotangent.hpp"
 #include "options/intent.hpp"
 #include "quality/effort/effort.hpp"
 #include "quality/fault/extreme_angles.hpp"
@@ -120,7 +121,7 @@ Candidate Candidates::measured(Candidate c) const {
 }
 
 bool Candidates::has_room_for_one_star() const {
-  const double least = std::atan2(1.0, goal_.small);
+  const double least = angle_of_cot(goal_.small);
   return goal_.weight == 0 ||
          static_cast<double>(boundary_.sides.size()) * least < 2 * std::numbers::pi;
 }
@@ -177,7 +178,7 @@ Candidate Candidates::giving_way(Candidate c) const {
 Candidate Candidates::narrowed(const Candidate& best, const Candidate& from, double large,
                                std::uint64_t each) {
   Candidate found = best;
-  const double smallest = std::atan2(1.0, goal_.small);
+  const double smallest = angle_of_cot(goal_.small);
   Candidate trial = from;
   bool is_better = false;
   budget_.within(each * from.merit.triangles, [&] {
@@ -186,8 +187,8 @@ Candidate Candidates::narrowed(const Candidate& best, const Candidate& from, dou
       Goal aim = goal_.with(std::max(goal_.large, large - effort::kAimBelowLimit), goal_.small,
                             goal_.weight);
       if (goal_.weight > 0) {
-        aim.small = 1 / std::tan(part * smallest);
-        aim.weight = part * smallest / (std::numbers::pi - std::atan2(1.0, -aim.large));
+        aim.small = cot_of(part * smallest);
+        aim.weight = part * smallest / (std::numbers::pi - angle_of_cot(-aim.large));
       }
       MutableMesh& mesh = trial.mesh.change();
       mesh.set_goal(aim, sharing_.team);
@@ -205,7 +206,7 @@ Candidate Candidates::narrowed(const Candidate& best, const Candidate& from, dou
 }
 
 void Candidates::compare_with(const Candidate& cdt) {
-  const Order order{.prefer = preferred(options_), .bound = 1 / std::tan(limit_.promised_nu())};
+  const Order order{.prefer = preferred(options_), .bound = cot_of(limit_.promised_nu())};
   ranking_.set_order(order);
   if (order.prefer == Prefer::largest) ranking_.lower_ceiling(cdt.merit.large);
 }

@@ -14,12 +14,12 @@
 #include "quality/plan/optimise.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "geom/cotangent.hpp"
 #include "quality/effort/effort.hpp"
 #include "quality/fault/extreme_angles.hpp"
 #include "quality/fault/keep_rules.hpp"
@@ -113,7 +113,7 @@ bool is_due(SearchAfter how_hard, const Merit& merit) {
 /// The smallest angle to which is refined. A star of 1e5 points ends with 77,000 angles above
 /// the 90 degrees asked for if that is 36 degrees, with 59 if it is 30, and with none if it is 32.
 Angle refined_to(const Goal& goal) {
-  const double below = 100 - Angle::radians(std::atan2(1.0, -goal.large)).in_degrees();
+  const double below = 100 - Angle::radians(angle_of_cot(-goal.large)).in_degrees();
   return Angle::degrees(
       std::clamp(kRefinedTo + kRefinedFurther * below, kRefinedTo, kRefinedAtMost));
 }
@@ -121,7 +121,7 @@ Angle refined_to(const Goal& goal) {
 RefineLimits refine_limits(const MutableMesh& mesh, const Goal& goal, bool has_sizes) {
   RefineLimits limits;
   limits.keeps_couplings = goal.coupling.weight > 0;
-  limits.smallest_cot = 1 / std::tan(refined_to(goal).in_radians());
+  limits.smallest_cot = cot_of(refined_to(goal).in_radians());
   limits.budget = has_sizes ? effort::kMostSizedVertices : refine_budget(mesh.points.size());
   return limits;
 }

@@ -1,10 +1,10 @@
 // See outlook.hpp. Tested by tests/unit/quality/plan/outlook_test.cpp.
 #include "quality/plan/outlook.hpp"
 
-#include <cmath>
 #include <vector>
 
 #include "box/half_discs.hpp"
+#include "geom/cotangent.hpp"
 #include "limits/angles/limit_prover.hpp"
 #include "quality/fault/extreme_angles.hpp"
 #include "quality/plan/optimise.hpp"
@@ -23,8 +23,7 @@ bool Outlook::is_settled(const Candidate& candidate, const Goal& goal) {
   // No mesh that misses the largest angle was ever found to be near its limits: 1,000 Voronoi
   // cells and 140 parcels were asked in vain, for 3 % of the instructions.
   if (is_smaller_cot(goal.large, merit.large) || goal.weight == 0) return false;
-  if (extreme_angles(*candidate.mesh).least < std::atan2(1.0, merit.small) - kAngleSlack)
-    return false;
+  if (extreme_angles(*candidate.mesh).least < angle_of_cot(merit.small) - kAngleSlack) return false;
   return is_near_limits(candidate);
 }
 
@@ -38,8 +37,8 @@ bool Outlook::prove_near_limits(const Candidate& candidate) {
   LimitProver& prover = proof_->prover(team_);
   prover.compare_with(AnglesAround::of(mesh.points, triangles, boundary_.points.size()));
   return prover.is_near(
-      {Angle::radians(std::atan2(1.0, candidate.merit.large)),
-       Angle::radians(std::atan2(1.0, candidate.merit.small))},
+      {Angle::radians(angle_of_cot(candidate.merit.large)),
+       Angle::radians(angle_of_cot(candidate.merit.small))},
       {options_.max_angle.supplement(), options_.min_angle},
       options_.effort == Effort::fast ? ProofEffort::brief() : ProofEffort::usual());
 }

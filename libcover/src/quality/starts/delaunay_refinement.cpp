@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/containers/bucket_queue.hpp"
+#include "geom/cotangent.hpp"
 #include "geom/predicates.hpp"
 #include "geom/subdivision/rounds.hpp"
 #include "geom/vector.hpp"
@@ -50,7 +51,7 @@ class Refinement {
   Refinement(MutableMesh& mesh, const RefineLimits& limits, SizeField& sizes,
              const std::stop_token& stop, const Team& team = {})
       : mesh_(mesh), limits_(limits), sizes_(sizes), stop_(stop), team_(team) {
-    const double kappa = std::atan2(1.0, limits.smallest_cot);
+    const double kappa = angle_of_cot(limits.smallest_cot);
     off_centre_ = 0.4 / std::tan(kappa / 2);  // 0.5: the new angle is kappa
     const std::size_t count = mesh_.triangles.size();
     stamp_.reserve(count + count / kSpare);

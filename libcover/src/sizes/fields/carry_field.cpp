@@ -11,6 +11,7 @@
 #include <cover/text.hpp>
 #include "base/numbers.hpp"
 #include "geom/box.hpp"
+#include "geom/foot.hpp"
 #include "geom/vector.hpp"
 #include "sizes/fields/triangle_tree.hpp"
 
@@ -66,7 +67,7 @@ class Carrier {
   Place beside(Point p) {
     const auto [a, b] = tree_.nearest_border(p);
     const Point from = field_.points[a], to = field_.points[b];
-    const double part = part_along(from, to, p);
+    const double part = part_on_segment(from, to, p);
     const Point near{from.x + part * (to.x - from.x), from.y + part * (to.y - from.y)};
     if (std::sqrt(squared_length(p - near)) > reach_ && outside_++ == 0) first_outside_ = p;
     return {{a, b, b}, {1 - part, part, 0}};

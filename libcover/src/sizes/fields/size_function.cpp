@@ -14,6 +14,7 @@
 #include <fmt/core.h>
 
 #include "base/faults/out_of_memory.hpp"
+#include "geom/foot.hpp"
 #include "sizes/fields/triangle_tree.hpp"
 #include "sizes/spread_sizes.hpp"
 
@@ -50,7 +51,7 @@ class Interpolation {
 
   [[nodiscard]] double outside(Point p) const {
     const auto [a, b] = tree_.nearest_border(p);
-    const double part = part_along(samples_.points[a], samples_.points[b], p);
+    const double part = part_on_segment(samples_.points[a], samples_.points[b], p);
     return samples_.sizes[a] + part * (samples_.sizes[b] - samples_.sizes[a]);
   }
 

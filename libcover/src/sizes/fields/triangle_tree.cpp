@@ -8,6 +8,7 @@
 #include <boost/iterator/function_output_iterator.hpp>
 
 #include "geom/predicates.hpp"
+#include "geom/triangle.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -124,16 +125,10 @@ std::pair<std::uint32_t, std::uint32_t> TriangleTree::nearest_border(Point p) co
   return trees_->border[nearest];
 }
 
-double part_along(Point a, Point b, Point p) {
-  const Vector along = b - a;
-  const double whole = squared_length(along);
-  return whole > 0 ? std::clamp(dot(p - a, along) / whole, 0.0, 1.0) : 0;
-}
-
 std::array<double, 2> shares_in(const std::array<Point, 3>& abc, Point p) {
   const auto [a, b, c] = abc;
-  const double whole = cross(b - a, c - a);
-  return {cross(p - a, c - a) / whole, cross(b - a, p - a) / whole};
+  const double whole = doubled_area(a, b, c);
+  return {doubled_area(a, p, c) / whole, doubled_area(a, b, p) / whole};
 }
 
 }  // namespace cover

@@ -45,9 +45,6 @@ class TriangleTree {
   std::unique_ptr<const Trees> trees_;
 };
 
-/// Where on the line from a to b the place nearest to `p` is: 0 at a, 1 at b.
-double part_along(Point a, Point b, Point p);
-
 /// The shares of b and c in a point of the triangle abc, linear.
 /// REQUIRES: abc is not flat
 std::array<double, 2> shares_in(const std::array<Point, 3>& abc, Point p);

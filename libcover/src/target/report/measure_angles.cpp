@@ -12,6 +12,7 @@
 
 #include "base/numbers.hpp"
 #include "geom/angle_rounding.hpp"
+#include "geom/cotangent.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "target/report/sorted_corners.hpp"
@@ -29,7 +30,7 @@ BinLimits bin_limits() {
   BinLimits limits;
   limits.fill(kNoNumber);  // none of them is reached
   for (std::size_t k = 0; k < 17; ++k) {
-    limits[k] = 1 / std::tan(Angle::degrees(10.0 * static_cast<double>(k + 1)).in_radians());
+    limits[k] = cot_of(Angle::degrees(10.0 * static_cast<double>(k + 1)).in_radians());
   }
   // A right angle is not above 90 degrees: the upper bins hold the obtuse ones.
   limits[kUpToRight] = -std::numeric_limits<double>::min();

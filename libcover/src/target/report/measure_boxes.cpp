@@ -8,6 +8,7 @@
 #include "cdt/couplings.hpp"
 #include "geom/angle_rounding.hpp"
 #include "geom/predicates.hpp"
+#include "geom/triangle.hpp"
 #include "geom/vector.hpp"
 #include "target/report/sorted_corners.hpp"
 
@@ -59,10 +60,10 @@ Opposites opposites_of(std::span<const Point> points, std::span<const IndexTripl
     for (std::size_t t = first; t < last; ++t) {
       const auto& [i, j, k] = triangles[t];
       const Point corners[3] = {points[i], points[j], points[k]};
-      const double doubled_area = cross(corners[1] - corners[0], corners[2] - corners[0]);
+      const double area = doubled_area(corners[0], corners[1], corners[2]);
       for (std::size_t h = 0; h < 3; ++h)
         of.cots[3 * t + h] =
-            cotangent(corners[h], corners[(h + 2) % 3], corners[(h + 1) % 3], doubled_area);
+            cotangent(corners[h], corners[(h + 2) % 3], corners[(h + 1) % 3], area);
     }
   });
   of.across = across.size() == of.cots.size() ? std::move(across)

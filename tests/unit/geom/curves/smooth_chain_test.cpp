@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 
+#include "geom/foot.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -40,11 +41,8 @@ PixelChain border_of(const std::function<bool(double, double)>& inside, int size
 
 double distance_to_curve(Point p, const std::vector<Point>& curve) {
   double nearest = 1e9;
-  for (std::size_t k = 0; k + 1 < curve.size(); ++k) {
-    const Vector along = curve[k + 1] - curve[k];
-    const double part = std::clamp(dot(p - curve[k], along) / squared_length(along), 0.0, 1.0);
-    nearest = std::min(nearest, length(p - (curve[k] + part * along)));
-  }
+  for (std::size_t k = 0; k + 1 < curve.size(); ++k)
+    nearest = std::min(nearest, distance_to_segment(p, curve[k], curve[k + 1]));
   return nearest;
 }
 

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "geom/curves/smooth_chain.hpp"
+#include "geom/foot.hpp"
 #include "geom/vector.hpp"
 #include "support/inputs/soups.hpp"
 
@@ -89,15 +90,9 @@ Truth truth_of(const LabelImage& image) {
   return truth;
 }
 
-double distance_to(Point p, Point a, Point b) {
-  const Vector along = b - a;
-  const double part = std::clamp(dot(p - a, along) / squared_length(along), 0.0, 1.0);
-  return length(p - (a + part * along));
-}
-
 double distance_to_all(Point p, const std::vector<std::pair<Point, Point>>& sides) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const auto& [a, b] : sides) nearest = std::min(nearest, distance_to(p, a, b));
+  for (const auto& [a, b] : sides) nearest = std::min(nearest, distance_to_segment(p, a, b));
   return nearest;
 }
 

@@ -69,7 +69,7 @@ TEST(Offsets, FanAroundOtherCornersInPiecesThatAreNoWiderThanAMitre) {
     double sum = 0;
     for (std::size_t k = 0; k + 1 < tops.size(); ++k) {
       EXPECT_NEAR(length(tops[k].along), 1, kClose);
-      const double piece = -turn(tops[k].along, tops[k + 1].along);
+      const double piece = -turning_angle(tops[k].along, tops[k + 1].along);
       EXPECT_GT(piece, 0);
       EXPECT_LE(piece, kMitre + 1e-9);
       sum += piece;

@@ -85,7 +85,7 @@ TEST(Merit, CountsDecideBetweenLargestAnglesThatAreAlike) {
 TEST(Merit, IsTheSameWhetherOrNotTheGoalIsSet) {
   // The notch of the second one forces an angle above both goals.
   for (const RegionBoundary& boundary :
-       {smooth_star(60), boundary_of({{{0, 0}, {10, 0}, {10, 5}, {6, 0.5}, {3, 1.5}, {0, 5}}})}) {
+       {flower(60), boundary_of({{{0, 0}, {10, 0}, {10, 5}, {6, 0.5}, {3, 1.5}, {0, 5}}})}) {
     MutableMesh mesh = cdt_mesh(boundary);
     const Merit set = merit_of(mesh, default_goal());
     mesh.set_goal(Goal::of(Angle::degrees(130), Angle::degrees(10)));

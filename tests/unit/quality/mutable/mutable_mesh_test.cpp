@@ -43,7 +43,7 @@ TEST(Shared, CopiesAreTheSameUntilOneIsChanged) {
 }
 
 TEST(MutableMesh, TakesOverATriangulation) {
-  const RegionBoundary boundary = smooth_star(60);
+  const RegionBoundary boundary = flower(60);
   const MutableMesh mesh = cdt_mesh(boundary);
   EXPECT_EQ(mesh.triangle_count(), 58u);
   EXPECT_EQ(mesh.fixed_vertices(), 60u);
@@ -95,7 +95,7 @@ TEST(MutableMesh, RefusesToFlipTheDiagonalOfAReflexQuadrilateral) {
 }
 
 TEST(MutableMesh, IsTheSameMeshAfterArrangement) {
-  const RegionBoundary boundary = smooth_star(60);
+  const RegionBoundary boundary = flower(60);
   MutableMesh mesh = cdt_mesh(boundary);
   RefineLimits limits{.smallest_cot = 2, .budget = 1000};
   refine(mesh, limits);
@@ -125,7 +125,7 @@ TEST(MutableMesh, IsTheSameMeshAfterArrangement) {
 
 /// Some ranges of triangles, with places that are free.
 TEST(MutableMesh, IsArrangedTheSameByAnyNumberOfThreads) {
-  const RegionBoundary boundary = smooth_star(20'000);
+  const RegionBoundary boundary = flower(20'000);
   MutableMesh mesh = cdt_mesh(boundary);
   refine(mesh, RefineLimits{.smallest_cot = 2, .budget = 100'000});
   for (int k = 0; k < 3; ++k) {
@@ -163,7 +163,7 @@ TEST(MutableMesh, IsArrangedTheSameByAnyNumberOfThreads) {
 }
 
 TEST(MutableMesh, TellsWhetherSidesForceAnything) {
-  MutableMesh round = cdt_mesh(smooth_star(60));
+  MutableMesh round = cdt_mesh(flower(60));
   round.set_goal(default_goal());
   EXPECT_TRUE(round.is_unforced());
   MutableMesh thin = cdt_mesh(boundary_of({{{0, 0}, {1, 0}, {1, 0.02}, {0, 0.02}}}));

@@ -14,7 +14,7 @@ namespace {
 using namespace testing;
 
 TEST(Excerpt, PutsImprovedPartsBack) {
-  const RegionBoundary boundary = smooth_star(200);
+  const RegionBoundary boundary = flower(200);
   MutableMesh mesh = cdt_mesh(boundary);
   const double before = worst_excess(mesh);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -32,7 +32,7 @@ TEST(Excerpt, PutsImprovedPartsBack) {
 }
 
 TEST(Excerpt, OfAllTrianglesIsTheWhole) {
-  const RegionBoundary boundary = smooth_star(20);
+  const RegionBoundary boundary = flower(20);
   MutableMesh mesh = cdt_mesh(boundary);
   const Excerpt excerpt(mesh, 0, 1000);
   EXPECT_EQ(excerpt.mesh.triangle_count(), mesh.triangle_count());
@@ -43,7 +43,7 @@ TEST(Excerpt, OfAllTrianglesIsTheWhole) {
 }
 
 TEST(Excerpt, DropsVerticesThatAPartHasNoMore) {
-  const RegionBoundary boundary = smooth_star(40);
+  const RegionBoundary boundary = flower(40);
   MutableMesh mesh = *restart(cdt_mesh(boundary), 30, 1);
   const Excerpt excerpt(mesh, 0, 1000);
   excerpt.replace(mesh, *restart(excerpt.mesh, 4, 2));

@@ -71,7 +71,7 @@ MutableMesh with_any_team(const MutableMesh& start, const Change& change) {
 /// Between fixed vertices triangles reach through the whole region: only branches have short
 /// borders.
 TEST(WorkInParts, AreBranchesBetweenFixedVertices) {
-  const MutableMesh start = cdt_mesh(smooth_star(4000));
+  const MutableMesh start = cdt_mesh(flower(4000));
   ASSERT_EQ(start.points.size(), start.fixed_vertices());
   std::vector<std::size_t> sizes(part_count(start, {{}, kPartSize}));
   ASSERT_GT(sizes.size(), 8U);
@@ -93,7 +93,7 @@ TEST(WorkInParts, AreBranchesBetweenFixedVertices) {
 TEST(WorkInParts, AreLeftAloneOnceAStopIsRequested) {
   std::stop_source source;
   source.request_stop();
-  const MutableMesh start = refined(smooth_star(2000));
+  const MutableMesh start = refined(flower(2000));
   MutableMesh mesh = start;
   std::size_t worked = 0;
   work_in_parts(mesh, {{}, kPartSize, source.get_token()}, [&](Part&) { ++worked; });
@@ -102,7 +102,7 @@ TEST(WorkInParts, AreLeftAloneOnceAStopIsRequested) {
 }
 
 TEST(WorkInParts, ArePutBackAsTheyWere) {
-  const RegionBoundary boundary = smooth_star(2000);
+  const RegionBoundary boundary = flower(2000);
   const MutableMesh start = refined(boundary);
   std::vector<std::size_t> sizes(part_count(start, {{}, kPartSize}));
   ASSERT_GT(sizes.size(), 8U);
@@ -127,7 +127,7 @@ TEST(WorkInParts, ArePutBackAsTheyWere) {
 }
 
 TEST(WorkInParts, RefinementLeavesNoTraceOfBorders) {
-  const RegionBoundary boundary = smooth_star(2000);
+  const RegionBoundary boundary = flower(2000);
   const MutableMesh whole = refined(boundary);
   MutableMesh mesh =
       with_any_team(cdt_mesh(boundary), [](MutableMesh& part, const Sharing& sharing) {
@@ -141,7 +141,7 @@ TEST(WorkInParts, RefinementLeavesNoTraceOfBorders) {
 }
 
 TEST(WorkInParts, ImprovementSearchAndThinningAreTheSameForAnyTeam) {
-  const RegionBoundary boundary = smooth_star(2000);
+  const RegionBoundary boundary = flower(2000);
   const MutableMesh start = refined(boundary);
   const MutableMesh improved = with_any_team(start, [](MutableMesh& mesh, const Sharing& sharing) {
     const ImproveResult result = improve(mesh, 10'000'000, {}, sharing);
@@ -178,7 +178,7 @@ TEST(WorkInParts, ImprovementSearchAndThinningAreTheSameForAnyTeam) {
 }
 
 TEST(WorkInParts, FlipsAcrossBordersMakeItDelaunay) {
-  const RegionBoundary boundary = smooth_star(2000);
+  const RegionBoundary boundary = flower(2000);
   MutableMesh start = refined(boundary);
   improve(start, 10'000'000);
   Goal goal = default_goal();

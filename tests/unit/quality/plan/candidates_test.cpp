@@ -74,7 +74,7 @@ TEST(Candidates, ARegionThatNoVertexSeesWholeHasNoStar) {
 }
 
 TEST(Candidates, RefinedAndImprovedMeetsTheTargetsOfASmoothStar) {
-  Made made(smooth_star(300));
+  Made made(flower(300));
   const Candidate refined = made.make.optimised(made.cdt, SearchAfter::few);
   EXPECT_TRUE(refined.merit.complete);
   EXPECT_EQ(refined.method, "refined, improved");

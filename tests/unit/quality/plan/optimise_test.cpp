@@ -11,7 +11,7 @@ using namespace testing;
 Budget large_budget() { return {100'000'000, {}, false}; }
 
 TEST(Optimise, MeetsTheGoalOnASmoothStar) {
-  const RegionBoundary boundary = smooth_star(500);
+  const RegionBoundary boundary = flower(500);
   MutableMesh mesh = cdt_mesh(boundary);
   Budget budget = large_budget();
   const Merit merit = optimise(mesh, default_goal(), budget).merit;
@@ -34,7 +34,7 @@ TEST(Optimise, MeetsRightAnglesOnASmoothStar) {
 }
 
 TEST(Optimise, StopsWhenTheBudgetIsUsedUp) {
-  const RegionBoundary boundary = smooth_star(500);
+  const RegionBoundary boundary = flower(500);
   MutableMesh mesh = cdt_mesh(boundary);
   Budget budget{1000, {}, false};
   optimise(mesh, default_goal(), budget);

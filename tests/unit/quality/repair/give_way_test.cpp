@@ -46,7 +46,7 @@ TEST(GiveWay, LeavesNoNegativeCouplingOfAFreeSide) {
 }
 
 TEST(GiveWay, LeavesAMeshWithoutNegativeCouplingsAsItIs) {
-  const RegionBoundary boundary = smooth_star(300);
+  const RegionBoundary boundary = flower(300);
   MutableMesh mesh = mesh_with_free_sides(boundary);
   mesh.set_goal(with_couplings());
   const std::size_t triangles = mesh.triangle_count();

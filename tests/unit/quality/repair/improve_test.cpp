@@ -14,7 +14,7 @@ namespace {
 using namespace testing;
 
 TEST(Improve, ReachesTheGoalOnASmoothStar) {
-  const RegionBoundary boundary = smooth_star(300);
+  const RegionBoundary boundary = flower(300);
   MutableMesh mesh = cdt_mesh(boundary);
   refine(mesh, limits_of(20));
   const double before = worst_excess(mesh);

@@ -28,7 +28,7 @@ std::size_t left_in(const MutableMesh& mesh) {
 }
 
 TEST(Search, FindsWhatImprovementDoesNot) {
-  const RegionBoundary boundary = smooth_star(300);
+  const RegionBoundary boundary = flower(300);
   MutableMesh mesh = stuck_mesh(boundary);
   const Goal goal = mesh.goal();
   const Merit before = merit_of(mesh, goal);
@@ -60,7 +60,7 @@ TEST(Search, NeverMakesItWorseAndSaysWhenTheBudgetEnds) {
 }
 
 TEST(Search, RestartsInsideOfExcerptsLeaveASoundMesh) {
-  const RegionBoundary boundary = smooth_star(300);
+  const RegionBoundary boundary = flower(300);
   MutableMesh mesh = stuck_mesh(boundary);
   const Goal goal = Goal::of(Angle::degrees(85), Angle::degrees(0));
   const double before = merit_of(mesh, goal).large;
@@ -71,7 +71,7 @@ TEST(Search, RestartsInsideOfExcerptsLeaveASoundMesh) {
 }
 
 TEST(JointPlacement, MovesWhereSingleVerticesAreStuck) {
-  const RegionBoundary boundary = smooth_star(300);
+  const RegionBoundary boundary = flower(300);
   MutableMesh mesh = stuck_mesh(boundary);
   std::size_t moved = 0;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {

@@ -10,7 +10,7 @@ namespace {
 using namespace testing;
 
 TEST(ThinOut, TakesVerticesAwayAndKeepsTheGoal) {
-  const RegionBoundary boundary = smooth_star(300);
+  const RegionBoundary boundary = flower(300);
   MutableMesh mesh = cdt_mesh(boundary);
   refine(mesh, limits_of(28));
   improve(mesh, 1U << 30);

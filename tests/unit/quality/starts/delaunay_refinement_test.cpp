@@ -12,7 +12,7 @@ namespace {
 using namespace testing;
 
 TEST(Refine, RemovesSmallAnglesAndStaysDelaunay) {
-  const RegionBoundary boundary = smooth_star(200);
+  const RegionBoundary boundary = flower(200);
   MutableMesh mesh = cdt_mesh(boundary);
   refine(mesh, limits_of(20));
   expect_sound(mesh, boundary);
@@ -53,7 +53,7 @@ TEST(Refine, KeepsOutOfForcedTriangles) {
 /// The mesh is of no use then, but nobody waits for it.
 TEST(Refine, EndsOnceAStopIsRequested) {
   std::stop_source source;
-  MutableMesh mesh = cdt_mesh(smooth_star(200));
+  MutableMesh mesh = cdt_mesh(flower(200));
   const std::size_t before = mesh.triangle_count();
   source.request_stop();
   refine(mesh, limits_of(20), {}, {.stop = source.get_token()});

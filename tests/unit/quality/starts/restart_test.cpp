@@ -8,7 +8,7 @@ namespace {
 using namespace testing;
 
 TEST(Restart, CoversTheSameDomainFromTheSamePlaces) {
-  const RegionBoundary boundary = smooth_star(60);
+  const RegionBoundary boundary = flower(60);
   const MutableMesh mesh = cdt_mesh(boundary);
   for (std::uint32_t number = 0; number < 20; ++number) {
     const std::optional<MutableMesh> anew = restart(mesh, 1 + number, number);

@@ -30,7 +30,7 @@ class Family {
     } else {
       limit_ = way_back(ei_, from, packing.point(s.start));
     }
-    if (ei_.is_disk()) limit_ = std::min(limit_, turn(from - ei_.c, infinite_end()));
+    if (ei_.is_disk()) limit_ = std::min(limit_, ccw_angle(from - ei_.c, infinite_end()));
   }
 
   std::optional<MedialDisk> first() const {

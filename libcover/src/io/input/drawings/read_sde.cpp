@@ -17,6 +17,7 @@
 #include <cover/text.hpp>
 
 #include "base/numbers.hpp"
+#include "geom/foot.hpp"
 #include "geom/rings/place_in_ring.hpp"
 #include "geom/vector.hpp"
 #include "io/input/drawings/scheme_values.hpp"
@@ -62,10 +63,8 @@ class Drawing {
       const std::vector<Point>& ring = bodies[k].rings[0];
       for (std::size_t i = 0; i < ring.size(); ++i) {
         Side side{ring[i], ring[(i + 1) % ring.size()], k, {}, 0};
-        const Vector along = side.b - side.a;
-        const double whole = squared_length(along);
-        if (whole == 0) continue;
-        side.foot = side.a + std::clamp(dot(p - side.a, along) / whole, 0.0, 1.0) * along;
+        if (squared_length(side.b - side.a) == 0) continue;
+        side.foot = nearest_on_segment(side.a, side.b, p);
         side.distance = length(p - side.foot);
         if (side.distance > reach || side.distance >= best.distance || is_hidden(side, p)) continue;
         best = side;
@@ -78,11 +77,10 @@ class Drawing {
   [[nodiscard]] std::pair<Point, Point> edge_around(const Side& side) const {
     const Vector along = side.b - side.a;
     const double whole = squared_length(along);
-    const auto part_of = [&](Point q) { return dot(q - side.a, along) / whole; };
-    const double at = part_of(side.foot);
+    const double at = part_on_line(side.a, side.b, side.foot);
     std::pair<double, Point> low{0, side.a}, high{1, side.b};
     const auto cut = [&](Point q) {
-      const double part = part_of(q);
+      const double part = part_on_line(side.a, side.b, q);
       if (part <= at && part > low.first) low = {part, q};
       if (part > at && part < high.first) high = {part, q};
     };

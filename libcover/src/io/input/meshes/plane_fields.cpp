@@ -12,6 +12,7 @@
 #include "base/faults/errors.hpp"
 #include "cdt/cdt.hpp"
 #include "geom/predicates.hpp"
+#include "geom/triangle.hpp"
 #include "io/input/formats.hpp"
 #include "io/text/text.hpp"
 #include "io/vtk_files/read_data_set.hpp"
@@ -127,11 +128,8 @@ class Cutter {
     }
     double area = 0;
     const auto n = static_cast<std::uint32_t>(corners.size());
-    for (std::uint32_t k = 0; k < n; ++k) {
-      const Point p = corners[k], q = corners[(k + 1) % n];
-      area +=
-          (p.x - corners[0].x) * (q.y - corners[0].y) - (q.x - corners[0].x) * (p.y - corners[0].y);
-    }
+    for (std::uint32_t k = 1; k + 1 < n; ++k)
+      area += doubled_area(corners[0], corners[k], corners[k + 1]);
     std::vector<IndexPair> sides;
     for (std::uint32_t k = 0; k < n; ++k)
       sides.push_back(area > 0 ? IndexPair{k, (k + 1) % n} : IndexPair{(k + 1) % n, k});

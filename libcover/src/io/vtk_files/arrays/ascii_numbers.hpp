@@ -3,10 +3,11 @@
 
 #include <charconv>
 #include <cstddef>
-#include <limits>
 #include <string_view>
 #include <system_error>
 #include <type_traits>
+
+#include "base/words/parse_number.hpp"
 
 namespace cover {
 
@@ -30,14 +31,8 @@ std::size_t read_ascii(std::string_view& text, T* out, std::size_t count) {
     auto [stop, error] = std::from_chars(start, end, value);
     if constexpr (std::is_floating_point_v<T>) {
       if (error == std::errc::result_out_of_range) {
-        // Too large for a double is what has no negative exponent.
         const std::string_view word(start, static_cast<std::size_t>(stop - start));
-        const std::size_t e = word.find_first_of("eE");
-        const bool small = e == std::string_view::npos
-                               ? word.starts_with("0.") || word.starts_with("-0.")
-                               : word.substr(e + 1, 1) == "-";
-        value = small ? T{0} : std::numeric_limits<T>::infinity();
-        if (*start == '-') value = -value;
+        value = static_cast<T>(nearest_in_range(word));
         error = std::errc();
       }
     }

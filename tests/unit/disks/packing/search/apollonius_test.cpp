@@ -67,7 +67,7 @@ TEST(Elements, ContactsAndDistances) {
   EXPECT_TRUE(std::isinf(obstacle_distance(line, {0.5, 1})));
   EXPECT_DOUBLE_EQ(way_back(line, {3, 0}, {1, 0}), 2);
   EXPECT_DOUBLE_EQ(way_back(disk, {1.5, 2}, {1, 2.5}), std::numbers::pi / 2);
-  EXPECT_DOUBLE_EQ(turn({1, 0}, {0, -1}), 1.5 * std::numbers::pi);
+  EXPECT_DOUBLE_EQ(ccw_angle({1, 0}, {0, -1}), 1.5 * std::numbers::pi);
 }
 
 }  // namespace
