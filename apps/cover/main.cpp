@@ -13,6 +13,7 @@
 #include "commands/commands.hpp"
 #include "commands/exit_code.hpp"
 #include "commands/guarded.hpp"
+#include "terminal/console.hpp"
 
 namespace {
 
@@ -51,7 +52,8 @@ Commands:
 )";
 
 int usage_error(const std::string& message) {
-  fmt::print(stderr, "cover: error: {}\nSee 'cover --help'.\n", cover::printable(message));
+  cover::app::print_on_stderr(
+      fmt::format("cover: error: {}\nSee 'cover --help'.\n", cover::printable(message)));
   return cover::app::exit_usage;
 }
 

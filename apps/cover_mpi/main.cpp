@@ -17,6 +17,7 @@
 #include "rank_read.hpp"
 #include "rank_share_out.hpp"
 #include "serve.hpp"
+#include "terminal/console.hpp"
 
 namespace {
 
@@ -41,10 +42,10 @@ and all ranks write: the folder must be one that all of them see, else meshes tr
 void warn_of_unused_cores(const std::vector<std::string>& words, const RankCores& cores) {
   const auto is_quiet = [](const std::string& word) { return word == "-q" || word == "--quiet"; };
   if (cores.of_all == cores.unbound || std::any_of(words.begin(), words.end(), is_quiet)) return;
-  fmt::print(stderr,
-             "cover-mpi: warning: mpirun has bound its processes on this machine to {} of {} "
-             "cores; 'mpirun --bind-to none' lets them use all of these\n",
-             cores.of_all, cores.unbound);
+  cover::app::print_on_stderr(fmt::format(
+      "cover-mpi: warning: mpirun has bound its processes on this machine to {} of {} cores; "
+      "'mpirun --bind-to none' lets them use all of these\n",
+      cores.of_all, cores.unbound));
 }
 
 /// What rank 0 does.
@@ -66,10 +67,10 @@ int lead(const std::vector<std::string>& words, const RankCores& cores) {
         {words.begin() + 1, words.end()},
         {share_out, cover::mpi::write_among_ranks, cover::mpi::read_among_ranks});
   }
-  fmt::print(stderr,
-             "cover-mpi: error: '{}' is no command of cover-mpi, which has only 'mesh'; the others "
-             "are those of 'cover'\n",
-             words[0]);
+  cover::app::print_on_stderr(
+      fmt::format("cover-mpi: error: '{}' is no command of cover-mpi, which has only 'mesh'; the "
+                  "others are those of 'cover'\n",
+                  words[0]));
   return cover::app::exit_usage;
 }
 
@@ -90,7 +91,8 @@ int main(int argc, char** argv) {
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   if (level < MPI_THREAD_FUNNELED) {
     if (rank == 0)
-      fmt::print(stderr, "cover-mpi: error: this MPI allows no threads; cover-mpi needs them\n");
+      cover::app::print_on_stderr(
+          "cover-mpi: error: this MPI allows no threads; cover-mpi needs them\n");
     MPI_Abort(MPI_COMM_WORLD, cover::app::exit_internal);
   }
   const std::vector<std::string> words(argv + 1, argv + argc);

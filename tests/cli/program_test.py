@@ -369,6 +369,16 @@ class Streams(Case):
             self.assertIn('cannot write to standard output: No space left on device\n', run.stderr)
             self.assertEqual(self.with_stdout(full, 'mesh', 's.poly', '-o', 's.vtu', '-q').returncode, 0)
 
+    def test_nobody_reads_errors(self):
+        self.write('s.poly', SQUARE)
+        with open('/dev/full', 'w') as full:
+            for words, code in ((['mesh', 's.poly', '-o', 's.vtu'], 5), (['info', 's.poly'], 5), (['--version'], 5), (['-x'], 2),
+                                (['mesh', '--nonsense'], 2), (['info', 'none.poly'], 5), (['mesh', 's.poly', '-o', 's.vtu', '-q'], 0)):
+                run = subprocess.run([PROGRAM, *words], cwd=self.dir, stdout=full, stderr=full, timeout=60)
+                self.assertEqual(run.returncode, code, words)
+            run = subprocess.run([PROGRAM, 'mesh', 's.poly', '-o', '-'], cwd=self.dir, stdout=subprocess.PIPE, stderr=full, timeout=60)
+        self.assertEqual((run.returncode, run.stdout), (0, (self.dir / 's.vtu').read_bytes()))
+
     def test_a_full_disk_behind_the_log(self):
         self.write('s.poly', SQUARE)
         _, err = self.run_cover('mesh', 's.poly', '-o', 's.vtu', '--log', '/dev/full')

@@ -12,7 +12,6 @@
 #include <malloc.h>
 #endif
 
-#include <fmt/core.h>
 #include <spdlog/common.h>
 
 #include "commands/exit_code.hpp"
@@ -35,25 +34,28 @@ void keep_apart_large_arrays() {
 #endif
 }
 
+/// By stdio, which throws nothing and needs no memory: nobody may be there to read it.
+void tell_error(std::string_view program, const char* what, const char* more = "") {
+  std::fprintf(stderr, "%.*s: error: %s%s\n", static_cast<int>(program.size()), program.data(),
+               what, more);
+}
+
 int run(std::string_view program, const std::function<int()>& command) {
   try {
     return command();
   } catch (const spdlog::spdlog_ex& error) {  // the file of --log
-    fmt::print(stderr, "{}: error: {}\n", program, error.what());
+    tell_error(program, error.what());
     return exit_files;
-  } catch (const std::bad_alloc&) {  // fmt would need more
-    std::fprintf(stderr, "%.*s: error: out of memory\n", static_cast<int>(program.size()),
-                 program.data());
+  } catch (const std::bad_alloc&) {
+    tell_error(program, "out of memory");
     return exit_memory;
   } catch (const std::system_error& error) {
     if (std::ferror(stdout) != 0) return exit_ok;  // of fmt; guarded() tells it
     // No thread, for which there must be a stack.
-    fmt::print(stderr, "{}: error: the system has no more threads or memory: {}\n", program,
-               error.what());
+    tell_error(program, "the system has no more threads or memory: ", error.what());
     return exit_memory;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "{}: error: {}; this is an error in cover, please report it\n", program,
-               error.what());
+    tell_error(program, error.what(), "; this is an error in cover, please report it");
   }
   return exit_internal;
 }
@@ -70,7 +72,7 @@ int guarded(std::string_view program, const std::function<int()>& command) {
   const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
   if (!lost || code == exit_files) return code;
   const std::string why = errno != 0 ? ": " + std::generic_category().message(errno) : "";
-  fmt::print(stderr, "{}: error: cannot write to standard output{}\n", program, why);
+  tell_error(program, "cannot write to standard output", why.c_str());
   return code == exit_ok ? exit_files : code;
 }
 

@@ -12,6 +12,7 @@
 #include <cover/text.hpp>
 
 #include "files/job_file.hpp"
+#include "terminal/console.hpp"
 
 namespace cover::app {
 namespace {
@@ -248,15 +249,15 @@ std::string configuration(const CLI::App& command) {
 }
 
 int usage_error(const CLI::App& command, const std::string& message) {
-  fmt::print(stderr, "cover: error: {}\nSee '{} --help'.\n", printable(message),
-             command.get_name());
+  print_on_stderr(
+      fmt::format("cover: error: {}\nSee '{} --help'.\n", printable(message), command.get_name()));
   return exit_usage;
 }
 
 int usage_error(const CLI::App& command, const Error& error) {
   const int code = exit_code_of(error.code);
   if (code == exit_usage) return usage_error(command, error.message);
-  fmt::print(stderr, "cover: error: {}\n", printable(error.message));
+  print_on_stderr(fmt::format("cover: error: {}\n", printable(error.message)));
   return code;
 }
 

@@ -62,10 +62,13 @@ std::shared_ptr<spdlog::logger> make_logger(const Verbosity& verbosity) {
   // Whose disk is full has a mesh rather than a log; once will do.
   log->set_error_handler([told = false](const std::string& why) mutable {
     if (!std::exchange(told, true))
-      fmt::print(stderr, "cover: warning: messages are missing in the log: {}\n", printable(why));
+      print_on_stderr(
+          fmt::format("cover: warning: messages are missing in the log: {}\n", printable(why)));
   });
   return log;
 }
+
+void print_on_stderr(const std::string& text) { std::fputs(text.c_str(), stderr); }
 
 int fail(spdlog::logger& log, const Error& error) {
   log.error("{}", error.message);

@@ -27,6 +27,9 @@ struct Verbosity {
 /// Throws spdlog::spdlog_ex if the log file cannot be written.
 std::shared_ptr<spdlog::logger> make_logger(const Verbosity& verbosity);
 
+/// Prints on stderr. Where nobody can read that, it is lost, and nothing else is.
+void print_on_stderr(const std::string& text);
+
 /// Prints `cover: error: <message>` and returns the exit code that belongs to the error.
 int fail(spdlog::logger& log, const Error& error);
 

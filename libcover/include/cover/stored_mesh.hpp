@@ -59,8 +59,8 @@ struct StoredMesh {
 /// up from their names and sides.
 ///
 /// Errors: syntax, if the arrays are no mesh of regions 1, 2, 3, ...: an index out of range,
-///         triangles that share a directed edge, an unknown region or interface, an array of
-///         another length than there are regions or points.
+///         triangles that share a directed edge, an unknown region or interface, a material of more
+///         than 32 bits, an array of another length than there are regions or points.
 /// Cost:   O(n log n)
 Result<Output> rebuild(const StoredMesh& stored);
 

@@ -50,9 +50,9 @@ bool can_write_from_elsewhere(const std::string& path, const WriteOptions& optio
 /// Makes the mesh that cover_mesh() makes. Where it is expected to be large, each region goes to
 /// the disk when it is done, and what it was made of is given back.
 ///
-/// REQUIRES: needs_whole_mesh(input, options) is empty
-/// Errors:   those of cover_mesh(); cannot_write, in the name of StreamOptions::beside, also where
-///           its disk has no room for what is expected
+/// Errors:   those of cover_mesh(); bad_option unless needs_whole_mesh(input, options) is empty;
+///           cannot_write, in the name of StreamOptions::beside, also where its disk has no room
+///           for what is expected
 /// Memory:   input and tables; 16 bytes and a RegionReport for each region, 32 for each segment;
 ///           the regions in work
 Result<StreamedOutput> stream_mesh(Input&& input, const Options& options,

@@ -299,7 +299,7 @@ Result<Pslg> make_pslg(const Input& input, const Options& options, Report& repor
   if (weld_of(input, options) <= 0) warn_of_rounding(*pslg, report.notes);
   pslg->attributes = input.attributes;
   sum_up(report.changes, report.notes);
-  remember_arcs(input, *pslg, report.notes);
+  remember_arcs(input, weld_of(input, options), *pslg, report.notes);
   const bool is_as_it_was = keep && pslg->segments.size() == input.segments.size();
   if (whole != nullptr && is_as_it_was) *whole = std::move(triangulation);
   return pslg;

@@ -19,6 +19,7 @@
 #include "base/faults/complaint.hpp"
 #include "clean/ends/loose_ends.hpp"
 #include "clean/ends/near_points.hpp"
+#include "geom/box.hpp"
 #include "geom/curves/arc.hpp"
 #include "geom/vector.hpp"
 
@@ -57,12 +58,13 @@ const char* describe_kind(InputKind kind) {
 using Ends = std::pair<Point, Point>;          ///< the smaller first
 using Chords = std::map<Ends, std::uint32_t>;  ///< and the number of their circle
 
-/// Finds segments that are no chords yet by ends that lie within rounding of them.
+/// Finds segments that are no chords yet by ends that lie within `reach` of them, or within
+/// rounding.
 class NearlyEqual {
  public:
-  explicit NearlyEqual(const Pslg& pslg)
+  NearlyEqual(const Pslg& pslg, double reach)
       : points_(pslg.points),
-        most_(rounding_of(pslg.points)),
+        most_(std::max(rounding_of(pslg.points), reach)),
         near_points_(pslg.points, most_, [](std::uint32_t) { return true; }) {
     for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
       const Point a = pslg.points[pslg.segments[s].a.index()];
@@ -82,10 +84,15 @@ class NearlyEqual {
   }
 
  private:
+  /// The nearest first.
   [[nodiscard]] std::vector<Point> near(Point p) const {
     std::vector<Point> out;
     near_points_.visit(p, [&](std::uint32_t v) {
       if (length(points_[v] - p) <= most_) out.push_back(points_[v]);
+    });
+    std::sort(out.begin(), out.end(), [&](Point a, Point b) {
+      const double to_a = squared_length(a - p), to_b = squared_length(b - p);
+      return to_a != to_b ? to_a < to_b : a < b;
     });
     return out;
   }
@@ -161,7 +168,7 @@ std::optional<Error> find_bad_arcs(const Input& input) {
   return std::nullopt;
 }
 
-void remember_arcs(const Input& input, Pslg& pslg, std::vector<Note>& notes) {
+void remember_arcs(const Input& input, double weld, Pslg& pslg, std::vector<Note>& notes) {
   if (input.circles.empty()) return;
   pslg.circles = input.circles;
   Chords chords;
@@ -179,11 +186,16 @@ void remember_arcs(const Input& input, Pslg& pslg, std::vector<Note>& notes) {
     chords.erase(found);
   }
   if (chords.empty()) return;
-  const NearlyEqual nearly_equal(pslg);
+  Box box;
+  for (const Point& p : pslg.points) box.add(p);
+  const NearlyEqual nearly_equal(pslg, weld * box.extent());
   std::erase_if(chords, [&](const Chords::value_type& chord) {
     const auto segment = nearly_equal.segment(chord.first);
     if (!segment) return false;
-    if (pslg.segments[*segment].circle == 0) pslg.segments[*segment].circle = chord.second;
+    Segment& s = pslg.segments[*segment];
+    const ArcCircle& circle = pslg.circles[chord.second - 1];
+    const auto is_off = [&](VertexId v) { return is_off_circle(circle, pslg.points[v.index()]); };
+    if (s.circle == 0 && !is_off(s.a) && !is_off(s.b)) s.circle = chord.second;
     return true;
   });
   const PieceFinder pieces(pslg);

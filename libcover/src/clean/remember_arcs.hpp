@@ -19,12 +19,12 @@ namespace cover {
 std::optional<Error> find_bad_arcs(const Input& input);
 
 /// Fills Pslg::circles and Segment::circle: a segment between the ends of a chord of the input is
-/// that chord, also where these were moved by rounding. Pieces of chords that other lines cut or
-/// touch end off the circle; they stay straight, and so do chords whose ends were moved farther; a
-/// note tells how many.
+/// that chord, also where these were moved by rounding, or by welding of up to `weld` of the
+/// drawing's size. Pieces of chords that other lines cut or touch end off the circle; they stay
+/// straight; a note tells how many.
 ///
 /// REQUIRES: find_bad_arcs finds nothing
 /// Cost:     O(n log n) in the number of chords
-void remember_arcs(const Input& input, Pslg& pslg, std::vector<Note>& notes);
+void remember_arcs(const Input& input, double weld, Pslg& pslg, std::vector<Note>& notes);
 
 }  // namespace cover

@@ -70,10 +70,10 @@ class Builder : public DL_CreationAdapter {
     }
     while (arc.to <= arc.from) arc.to += 360;
     while (arc.to - arc.from > 360) arc.to -= 360;
-    if (arc.radius > 0) add(arc);
+    add_round(arc);
   }
   void addCircle(const DL_CircleData& d) override {
-    if (is_plane() && d.radius > 0) add(DxfArc{{side() * d.cx, d.cy}, d.radius, 0, 360});
+    if (is_plane()) add_round(DxfArc{{side() * d.cx, d.cy}, d.radius, 0, 360});
   }
   void addEllipse(const DL_EllipseData& d) override {
     // Given in the plane of the drawing; seen from behind it runs the other way round.
@@ -157,6 +157,13 @@ class Builder : public DL_CreationAdapter {
   template <class Shape>
   void add(Shape shape) {
     block().curves.push_back({attributes.getLayer(), std::move(shape)});
+  }
+
+  void add_round(const DxfArc& arc) {
+    if (arc.radius > 0)
+      add(arc);
+    else
+      ++drawing.without_radius;
   }
 
   /// Whether the entity lies in the plane, from whichever side it is seen.

@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "dxf/group_text.hpp"
 #include "io/text/text.hpp"
 
 namespace cover {
@@ -115,11 +116,12 @@ class Checker {
   }
 
   void header() {
-    bool unit = false;
+    std::string_view variable;
     for (; in_section(); advance()) {
-      if (group_.code == 9) unit = group_.value == "$INSUNITS";
-      if (unit && group_.code == 70)
+      if (group_.code == 9) variable = group_.value;
+      if (variable == "$INSUNITS" && group_.code == 70)
         out_.unit = static_cast<int>(parse_integer(group_.value).value_or(0));
+      if (variable == "$DWGCODEPAGE" && group_.code == 3) code_page_ = group_.value;
     }
   }
 
@@ -179,7 +181,8 @@ class Checker {
 
   void put_group(std::string_view kind, const Group& g) {
     if (is_count(kind, g.code)) return;
-    if (is_text(g.code)) return put(g.code, g.value.substr(0, kMostText));
+    if (is_text(g.code))
+      return put(g.code, group_text_in_utf8(g.value, code_page_).substr(0, kMostText));
     if (is_whole(g.code)) {
       const std::optional<long> number = parse_integer(g.value);
       if (!number || std::abs(static_cast<double>(*number)) > 2e9)
@@ -201,6 +204,7 @@ class Checker {
   const std::string& source_;
   int line_ = 0;
   Group group_;
+  std::string_view code_page_;
   bool in_polyline_ = false;
   CheckedDxf out_;
   std::optional<Error> error_;

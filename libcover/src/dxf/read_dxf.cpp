@@ -315,7 +315,7 @@ class DxfConverter {
 
   void add_texts() {
     for (const Placed<DxfText>& text : placed_.texts) {
-      if (options_.label_layer.empty() || *text.layer != options_.label_layer) {
+      if (options_.label_layer.empty() || lower(*text.layer) != lower(options_.label_layer)) {
         ++other_texts_;
         continue;
       }
@@ -394,6 +394,9 @@ void tell_left_out(Input& input, const CheckedDxf& checked, const DxfDrawing& dr
   if (drawing.tilted > 0)
     input.warnings.push_back(
         fmt::format("{} entities are not in the plane: left out", drawing.tilted));
+  if (drawing.without_radius > 0)
+    input.warnings.push_back(fmt::format("{} whose radius is not positive: left out",
+                                         counted(drawing.without_radius, "circle")));
   if (drawing.meshes > 0)
     input.warnings.push_back(
         fmt::format("{} polylines are surfaces or run through space: left out", drawing.meshes));

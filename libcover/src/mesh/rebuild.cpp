@@ -73,6 +73,9 @@ class Rebuilder {
         return wrong(fmt::format("triangle {} has RegionId {}, but regions are 1 to {}", t,
                                  soup.region[t], most));
       }
+      if (soup.material[t] != static_cast<std::int32_t>(soup.material[t]))
+        return wrong(fmt::format("triangle {} has the material {}, which is no number of 32 bits",
+                                 t, soup.material[t]));
     }
     if (!HalfEdges(soup.points.size(), soup.triangles).all_different())
       return wrong("triangles overlap: two of them share a directed edge");

@@ -269,6 +269,8 @@ bool can_write_from_elsewhere(const std::string& path, const WriteOptions& optio
 
 Result<StreamedOutput> stream_mesh(Input&& input, const Options& options,
                                    const StreamOptions& stream, const Callbacks& callbacks) {
+  if (const std::string why = needs_whole_mesh(input, options); !why.empty())
+    return bad_option(why + " needs the whole mesh in memory: cover_mesh() makes that");
   return memory_as_value(
       "mesh", [&] { return stream_or_hold(std::move(input), options, stream, callbacks); });
 }

@@ -9,6 +9,7 @@
 #include <cover/cover_mesh.hpp>
 
 #include "geom/curves/arc.hpp"
+#include "geom/vector.hpp"
 #include "support/inputs/arc_devices.hpp"
 
 namespace cover {
@@ -47,6 +48,34 @@ TEST(RememberArcs, EndsThatWereComputedTwiceAreOnTheirArc) {
   ASSERT_TRUE(prepared) << prepared.error().message;
   EXPECT_EQ(prepared->pslg.points.size(), 7U);
   EXPECT_EQ(chords_of(prepared->pslg), 6U);
+}
+
+/// A sector as other programs write it, with so many decimals that its ends miss each other.
+TEST(RememberArcs, EndsThatWeldingMovedAreOnTheirArc) {
+  Input circle;
+  testing::add_circle(circle, {0, 0}, 45, 12);
+  const auto rounded = [](Point p) {
+    return Point{std::round(p.x * 1e6) / 1e6, std::round(p.y * 1e6) / 1e6};
+  };
+  Input input;
+  input.circles = circle.circles;
+  input.points = {circle.points[0], circle.points[1], circle.points[2]};
+  for (const Point& p : {circle.points[2], Point{0, 0}, circle.points[0]})
+    input.points.push_back(rounded(p) + Vector{1e-6, 1e-6});
+  for (const std::uint32_t a : {0U, 1U, 3U, 4U}) {
+    InputSegment s;
+    s.a = a;
+    s.b = a + 1;
+    s.circle = a < 2 ? 1 : 0;
+    s.id = a;
+    input.segments.push_back(s);
+  }
+  Options options;
+  options.weld = 1e-6;
+  const Result<Prepared> prepared = prepare(input, options);
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  EXPECT_EQ(prepared->pslg.points.size(), 4U);
+  EXPECT_EQ(chords_of(prepared->pslg), 2U);
 }
 
 TEST(RememberArcs, ChordsThatLinesCutStayStraightAndAreTold) {

@@ -324,8 +324,28 @@ TEST(ReadDxf, TextsOfTheLabelLayerNameRegions) {
     names.insert(region.material_name + ":" + region.name);
   EXPECT_EQ(names.count("copper:A+") + names.count("copper:A-"), 2U);
   EXPECT_EQ(read(d.finish()).warnings.size(), 1U);
+  options.label_layer = "Labels";
+  EXPECT_EQ(read(d.finish(), options).seeds.size(), 2U);
   options.label_layer = "label";
   EXPECT_EQ(message(d.finish(), options), "a.dxf: no text is on the layer 'label'");
+}
+
+TEST(ReadDxf, TextsAreInTheCodePageOfTheDrawing) {
+  DxfWriter d;
+  d.group(0, "SECTION")
+      .group(2, "HEADER")
+      .group(9, "$DWGCODEPAGE")
+      .group(3, "ANSI_1252")
+      .end_section();
+  d.begin_entities().circle("0", 0, 0, 1).text("labels", 0, 0, "L\xe4ufer/\\U+00DCbung");
+  ReadOptions options;
+  options.label_layer = "labels";
+  const Input input = read(d.finish(), options);
+  ASSERT_EQ(input.seeds.size(), 1U);
+  EXPECT_EQ(input.seeds[0].material, "L\xc3\xa4ufer");
+  EXPECT_EQ(input.seeds[0].region,
+            "\xc3\x9c"
+            "bung");
 }
 
 TEST(ReadDxf, UnitsAndWhatIsLeftOutAreTold) {
@@ -339,12 +359,14 @@ TEST(ReadDxf, UnitsAndWhatIsLeftOutAreTold) {
       .end_section();
   d.begin_entities()
       .circle("0", 0, 0, 1)
+      .circle("0", 9, 0, -1)
       .entity("HATCH", "0", {{91, 1000000000}})
       .entity("POINT", "0", {{10, 0}});
   const Input input = read(d.finish());
-  ASSERT_EQ(input.warnings.size(), 2U);
+  ASSERT_EQ(input.warnings.size(), 3U);
   EXPECT_EQ(input.warnings[0], "entities that are not read: 1 HATCH, 1 POINT");
-  EXPECT_NE(input.warnings[1].find("inches"), std::string::npos);
+  EXPECT_EQ(input.warnings[1], "1 circle whose radius is not positive: left out");
+  EXPECT_NE(input.warnings[2].find("inches"), std::string::npos);
   ReadOptions options;
   options.unit = "mm";
   options.scale = 25.4;

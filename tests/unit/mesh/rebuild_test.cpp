@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -70,6 +71,8 @@ TEST(Rebuild, SaysWhatIsWrong) {
       {[](StoredMesh& m) { m.soup.triangles[3][1] = 6; }, "triangle 3 has no vertex 6"},
       {[](StoredMesh& m) { m.soup.region[1] = 0; }, "triangle 1 has RegionId 0"},
       {[](StoredMesh& m) { m.soup.region[1] = 77; }, "triangle 1 has RegionId 77"},
+      {[](StoredMesh& m) { m.soup.material[2] = std::int64_t{1} << 40; },
+       "triangle 2 has the material 1099511627776"},
       {[](StoredMesh& m) {
          m.soup.triangles[1] = {0, 1, 3};
        },

@@ -163,6 +163,20 @@ TEST(StreamMesh, FailsWhereThereIsNoFolder) {
   EXPECT_EQ(nowhere.error().code, ErrorCode::cannot_write);
 }
 
+TEST(StreamMesh, RefusesWhatNeedsTheWholeMesh) {
+  const testing::TemporaryFolder folder;
+  Options disks, hull, cut;
+  disks.method = Method::nonobtuse;
+  hull.hull = true;
+  cut.split_interfaces = Angle::degrees(90);
+  for (const Options& options : {disks, hull, cut}) {
+    const Result<StreamedOutput> streamed =
+        stream_mesh(testing::checker(2, 3, 1), options, {folder.path() / "x", 0});
+    ASSERT_FALSE(streamed);
+    EXPECT_EQ(streamed.error().code, ErrorCode::bad_option) << streamed.error().message;
+  }
+}
+
 TEST(StreamMesh, RefusesFilesThatNeedTheWholeMesh) {
   const testing::TemporaryFolder folder;
   const Result<StreamedOutput> streamed =

@@ -257,13 +257,15 @@ int print_report(const MeshCommand& command, const StreamedOutput& streamed, spd
   }
   if (command.verbosity.quiet) return exit_ok;
   // What is piped out of stdout must be the mesh alone.
-  std::FILE* to = command.files.has_stdout() ? stderr : stdout;
-  fmt::print(to, "{}", mesh_text(streamed, command.is_verbose()));
+  std::string text = mesh_text(streamed, command.is_verbose());
   for (const std::string& path : command.files.paths())
-    if (path != "-") fmt::print(to, "Wrote {}\n", path);
-  fmt::print(to, "{}",
-             group_text(streamed, command.files.meshes(), command.files.write_options(),
-                        command.is_verbose()));
+    if (path != "-") text += fmt::format("Wrote {}\n", path);
+  text += group_text(streamed, command.files.meshes(), command.files.write_options(),
+                     command.is_verbose());
+  if (command.files.has_stdout())
+    print_on_stderr(text);
+  else
+    fmt::print("{}", text);
   return exit_ok;
 }
 

@@ -4,6 +4,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <map>
 #include <set>
 #include <unordered_set>
 
@@ -49,8 +52,35 @@ void find_regions(const std::vector<MeshLine>& lines, TriangleSoup& soup) {
   }
 }
 
-/// Regions with the names of their groups; none if the numbers of regions are not 1, 2, 3, ...
-std::vector<Region> named_regions(const MeshFile& file, const TriangleSoup& soup) {
+/// Gives materials whose numbers no Region can hold the lowest ones that are free, and appends a
+/// sentence on each to `notes`.
+void renumber_materials(TriangleSoup& soup, std::vector<std::string>& notes) {
+  using Number = decltype(Region::material);
+  constexpr std::int64_t kLeast = std::numeric_limits<Number>::min();
+  constexpr std::int64_t kMost = std::numeric_limits<Number>::max();
+  std::set<std::int64_t> numbers(soup.material.begin(), soup.material.end());
+  std::map<std::int64_t, std::int64_t> instead;
+  std::int64_t free = 1;
+  for (const std::int64_t number : numbers) {
+    if (number >= kLeast && number <= kMost) continue;
+    while (numbers.contains(free)) ++free;
+    instead.emplace(number, free);
+    notes.push_back(fmt::format("material {} is {} than {}: it becomes number {}", number,
+                                number > kMost ? "larger" : "smaller",
+                                number > kMost ? kMost : kLeast, free));
+    ++free;
+  }
+  if (instead.empty()) return;
+  for (std::int64_t& material : soup.material) {
+    const auto other = instead.find(material);
+    if (other != instead.end()) material = other->second;
+  }
+}
+
+/// Regions with the names of their groups, or of their materials by the `numbers` of the file; none
+/// if the numbers of regions are not 1, 2, 3, ...
+std::vector<Region> named_regions(const MeshFile& file, const TriangleSoup& soup,
+                                  const std::vector<std::int64_t>& numbers) {
   std::vector<Region> regions;
   for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
     const std::int64_t id = soup.region[t];
@@ -61,7 +91,7 @@ std::vector<Region> named_regions(const MeshFile& file, const TriangleSoup& soup
     region.id = RegionId(static_cast<std::uint32_t>(id));
     region.material = static_cast<int>(soup.material[t]);
     region.material_name = fmt::format("material_{}", region.material);
-    const auto name = file.region_names.find(file.group.empty() ? soup.material[t] : file.group[t]);
+    const auto name = file.region_names.find(file.group.empty() ? numbers[t] : file.group[t]);
     region.name = name == file.region_names.end() ? region.material_name : name->second;
   }
   return regions;
@@ -102,19 +132,22 @@ void take_lines(const MeshFile& file, StoredMesh& stored) {
 
 }  // namespace
 
-std::string complete_from_file(const MeshFile& file, StoredMesh& stored) {
+std::string complete_from_file(const MeshFile& file, StoredMesh& stored,
+                               std::vector<std::string>& notes) {
   std::vector<std::string> missing;
   TriangleSoup& soup = stored.soup;
   if (soup.material.empty()) {
     missing.emplace_back("numbers of materials");
     soup.material = file.group.empty() ? soup.region : file.group;
   }
+  const std::vector<std::int64_t> numbers = soup.material;
+  renumber_materials(soup, notes);
   if (soup.region.empty()) {
     missing.emplace_back("numbers of regions");
     find_regions(file.lines, soup);
   }
   if (!file.region_names.empty()) {
-    stored.regions = named_regions(file, soup);
+    stored.regions = named_regions(file, soup, numbers);
     // Groups are named after regions. Where numbers of materials are missing, names are too.
     if (!file.group.empty() && !file.soup.material.empty())
       missing.emplace_back("names of materials");

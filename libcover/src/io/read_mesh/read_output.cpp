@@ -180,7 +180,9 @@ class Completion {
     const bool tells_regions = file.group.empty() && extension_of(path_) != ".mesh";
     if (stored.soup.region.empty() && tells_regions)
       return wrong_file(path_, "no RegionId of its triangles: not a mesh that cover wrote");
-    const std::string unknown = complete_from_file(file, stored);
+    std::vector<std::string> renumbered;
+    const std::string unknown = complete_from_file(file, stored, renumbered);
+    tell(renumbered);
     if (!unknown.empty()) {
       // Blocks name regions; which triangle is in which, the mesh itself has to say.
       const std::string why =

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 
@@ -150,6 +151,23 @@ TEST(ReadOutput, WithoutEitherItSaysWhatIsMissing) {
   EXPECT_NE(read->report.notes[0].message.find("device.json"), std::string::npos);
   EXPECT_NE(read->report.notes[0].message.find("device.vtm"), std::string::npos);
   EXPECT_EQ(read->pslg.segments.size(), written.pslg.segments.size());
+}
+
+/// 4294967303 is 7 but for bits that a material's number has not.
+TEST(ReadOutput, MaterialsWithTooManyDigitsStayApart) {
+  const testing::TemporaryFolder folder;
+  const std::string path = folder.write(
+      "x.msh",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n"
+      "$EndNodes\n$Elements\n2\n1 2 2 4294967303 1 1 2 3\n2 2 2 7 2 1 3 4\n$EndElements\n");
+  const Result<Output> read = read_output(path);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(triangle_soup(read->mesh).material, (std::vector<std::int64_t>{1, 7}));
+  EXPECT_TRUE(
+      std::any_of(read->report.notes.begin(), read->report.notes.end(), [](const Note& note) {
+        return note.message.ends_with(
+            "material 4294967303 is larger than 2147483647: it becomes number 1");
+      }));
 }
 
 TEST(ReadOutput, RefusesNamesOfAnotherMesh) {
