@@ -61,7 +61,8 @@ constexpr std::uint64_t kEvaluationsPerPoint = 20'000;
 constexpr std::uint64_t kEvaluationsAtLeast = 3'000'000;
 constexpr std::uint64_t kMostEvaluations = 20'000'000;
 constexpr std::uint64_t kMostEvaluationsPerPoint = 10'000, kMostTowardsRightAngles = 1'000;
-/// One triangle above the target for so many points is too many for a search.
+/// One triangle above the target for so many points is too many for a search, and for more rounds
+/// after one in vain: of parcels 1 mm apart each further one leaves half as many again.
 constexpr std::size_t kMany = 4;
 
 /// A mesh, and what is left above the target in it.
@@ -169,6 +170,7 @@ class Prospects {
     if (is_mended_after_ && kFewToMend * now.left.above <= points) return false;
     if (in_vain_ >= (is_acute_ ? kInVain : kRounds)) return false;
     if (points < kFewPoints) return true;
+    if (in_vain_ > 0 && kMany * now.left.above > points) return false;
     const auto above = static_cast<double>(now.left.above);
     if (is_acute_ && above > kNearlyAll * static_cast<double>(now.triangles())) return false;
     const int most_worse = points_ < kVeryMany ? kInVainForAll : 1;
