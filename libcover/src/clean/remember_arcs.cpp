@@ -58,13 +58,14 @@ const char* describe_kind(InputKind kind) {
 using Ends = std::pair<Point, Point>;          ///< the smaller first
 using Chords = std::map<Ends, std::uint32_t>;  ///< and the number of their circle
 
-/// Finds segments that are no chords yet by ends that lie within `reach` of them, or within
-/// rounding.
+/// Finds segments that are no chords yet by ends that lie near them: within rounding, or as far as
+/// welding moves them.
 class NearlyEqual {
  public:
-  NearlyEqual(const Pslg& pslg, double reach)
+  NearlyEqual(const Pslg& pslg, double weld)
       : points_(pslg.points),
-        most_(std::max(rounding_of(pslg.points), reach)),
+        rounding_(rounding_of(pslg.points)),
+        most_(std::max(rounding_, weld)),
         near_points_(pslg.points, most_, [](std::uint32_t) { return true; }) {
     for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
       const Point a = pslg.points[pslg.segments[s].a.index()];
@@ -74,8 +75,10 @@ class NearlyEqual {
   }
 
   [[nodiscard]] std::optional<std::size_t> segment(const Ends& ends) const {
-    for (const Point a : near(ends.first)) {
-      for (const Point b : near(ends.second)) {
+    const double part = length(ends.second - ends.first) / kWeldedPart;
+    const double reach = std::max(rounding_, std::min(most_, part));
+    for (const Point a : near(ends.first, reach)) {
+      for (const Point b : near(ends.second, reach)) {
         const auto found = segments_.find(std::minmax(a, b));
         if (found != segments_.end()) return found->second;
       }
@@ -85,10 +88,10 @@ class NearlyEqual {
 
  private:
   /// The nearest first.
-  [[nodiscard]] std::vector<Point> near(Point p) const {
+  [[nodiscard]] std::vector<Point> near(Point p, double reach) const {
     std::vector<Point> out;
     near_points_.visit(p, [&](std::uint32_t v) {
-      if (length(points_[v] - p) <= most_) out.push_back(points_[v]);
+      if (length(points_[v] - p) <= reach) out.push_back(points_[v]);
     });
     std::sort(out.begin(), out.end(), [&](Point a, Point b) {
       const double to_a = squared_length(a - p), to_b = squared_length(b - p);
@@ -97,7 +100,12 @@ class NearlyEqual {
     return out;
   }
 
+  /// Welding moves an end by an eighth of the lines there at most; this leaves room for two welds
+  /// and takes no piece of a chord for it.
+  static constexpr double kWeldedPart = 4;
+
   std::span<const Point> points_;
+  double rounding_;
   double most_;
   NearPoints near_points_;
   std::map<Ends, std::size_t> segments_;
@@ -186,8 +194,10 @@ void remember_arcs(const Input& input, double weld, Pslg& pslg, std::vector<Note
     chords.erase(found);
   }
   if (chords.empty()) return;
-  Box box;
-  for (const Point& p : pslg.points) box.add(p);
+  Box box;  // lone points do not count for welding either
+  for (const Segment& s : pslg.segments) {
+    for (const VertexId v : {s.a, s.b}) box.add(pslg.points[v.index()]);
+  }
   const NearlyEqual nearly_equal(pslg, weld * box.extent());
   std::erase_if(chords, [&](const Chords::value_type& chord) {
     const auto segment = nearly_equal.segment(chord.first);
@@ -195,7 +205,8 @@ void remember_arcs(const Input& input, double weld, Pslg& pslg, std::vector<Note
     Segment& s = pslg.segments[*segment];
     const ArcCircle& circle = pslg.circles[chord.second - 1];
     const auto is_off = [&](VertexId v) { return is_off_circle(circle, pslg.points[v.index()]); };
-    if (s.circle == 0 && !is_off(s.a) && !is_off(s.b)) s.circle = chord.second;
+    if (is_off(s.a) || is_off(s.b)) return false;
+    if (s.circle == 0) s.circle = chord.second;
     return true;
   });
   const PieceFinder pieces(pslg);

@@ -25,7 +25,7 @@ struct Group {
 constexpr std::array<std::string_view, 13> kKinds{
     "LINE",   "ARC",    "CIRCLE", "ELLIPSE", "SPLINE", "LWPOLYLINE", "POLYLINE",
     "VERTEX", "INSERT", "TEXT",   "MTEXT",   "SEQEND", "BLOCK"};
-constexpr std::size_t kMostText = 250;  // of one group; dxflib cuts lines at 1024
+constexpr std::size_t kMostText = 1000;  // bytes of one group; dxflib cuts lines at 1024
 
 bool is_real(long code) { return (code >= 10 && code <= 59) || (code >= 210 && code <= 239); }
 bool is_whole(long code) { return (code >= 60 && code <= 79) || (code >= 90 && code <= 99); }

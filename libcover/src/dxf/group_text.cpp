@@ -25,12 +25,17 @@ class Converter {
     if (!is_there()) return std::nullopt;
     std::string in(text);
     constexpr std::size_t kMostBytes = 4;  // of a character in UTF-8
-    std::string out(kMostBytes * text.size(), '\0');
+    std::string out(kMostBytes * (text.size() + 1), '\0');
     char *from = in.data(), *to = out.data();
     std::size_t left = in.size(), room = out.size();
-    if (iconv(handle_, &from, &left, &to, &room) == static_cast<std::size_t>(-1) || left > 0)
-      return std::nullopt;
+    constexpr auto kFailed = static_cast<std::size_t>(-1);
+    if (iconv(handle_, &from, &left, &to, &room) == kFailed || left > 0) return std::nullopt;
+    // Where letters are composed, the last one is held back until this.
+    if (iconv(handle_, nullptr, nullptr, &to, &room) == kFailed) return std::nullopt;
     out.resize(out.size() - room);
+    // Other groups would come of line breaks.
+    const auto is_control = [](char c) { return (c >= 0 && c < ' ' && c != '\t') || c == 0x7f; };
+    if (std::any_of(out.begin(), out.end(), is_control)) return std::nullopt;
     return out;
   }
 
@@ -48,6 +53,8 @@ std::string charset_of(std::string_view code_page) {
   });
   for (const std::string_view prefix : {"ANSI_", "DOS"})
     if (name.starts_with(prefix)) return "CP" + name.substr(prefix.size());
+  if (name == "KSC5601") return "CP949";
+  if (name == "MAC-ROMAN") return "MACINTOSH";
   return name.empty() || name == "ASCII" ? "CP1252" : name;
 }
 

@@ -76,8 +76,10 @@ class DxfConverter {
 
  private:
   [[nodiscard]] bool is_read(const Placed<DxfCurve>& curve) const {
-    return options_.layers.empty() || std::find(options_.layers.begin(), options_.layers.end(),
-                                                *curve.layer) != options_.layers.end();
+    const std::string layer = lower(*curve.layer);
+    return options_.layers.empty() ||
+           std::any_of(options_.layers.begin(), options_.layers.end(),
+                       [&](const std::string& wanted) { return lower(wanted) == layer; });
   }
 
   /// Those of all lines and curves.
@@ -101,7 +103,9 @@ class DxfConverter {
   void tell_of_layers() {
     const std::set<std::string> layers = layers_drawn();
     for (const std::string& wanted : options_.layers) {
-      if (layers.contains(wanted)) continue;
+      if (std::any_of(layers.begin(), layers.end(),
+                      [&](const std::string& layer) { return lower(layer) == lower(wanted); }))
+        continue;
       input_.warnings.push_back(
           fmt::format("no line or curve is on the layer '{}'{}", wanted, others(layers)));
     }
@@ -396,7 +400,7 @@ void tell_left_out(Input& input, const CheckedDxf& checked, const DxfDrawing& dr
         fmt::format("{} entities are not in the plane: left out", drawing.tilted));
   if (drawing.without_radius > 0)
     input.warnings.push_back(fmt::format("{} whose radius is not positive: left out",
-                                         counted(drawing.without_radius, "circle")));
+                                         counted(drawing.without_radius, "circle or arc")));
   if (drawing.meshes > 0)
     input.warnings.push_back(
         fmt::format("{} polylines are surfaces or run through space: left out", drawing.meshes));

@@ -34,6 +34,7 @@ constexpr int kAlong = 16;                  ///< spacings on either side of a mi
 constexpr double kShort = 64;               ///< times these: a shorter edge has no room for them
 constexpr std::size_t kEachSide = 6;        ///< places of an edge, on the left and on the right
 constexpr std::size_t kChoices = 1500;      ///< of places for a triangle
+constexpr std::size_t kVisitsOfEach = 50;   ///< of each triangle that is not valid at first
 constexpr std::size_t kPatience = 200;      ///< tries after which triangles should be fewer
 
 /// How far p is on the left of the line from a to b, times the length of that.
@@ -88,8 +89,9 @@ class Nodes {
       if (!is_surely_valid(f) && !is_valid(f)) bad_.insert(f);
     }
     Face last;
-    std::size_t fewest = bad_.size(), in_vain = 0;
-    for (std::size_t waited = 0; !bad_.empty() && in_vain < bad_.size(); ++waited) {
+    std::size_t fewest = bad_.size(), in_vain = 0, left = kPatience + kVisitsOfEach * bad_.size();
+    for (std::size_t waited = 0; !bad_.empty() && in_vain < bad_.size() && left > 0; ++waited) {
+      --left;
       if (bad_.size() < fewest) fewest = bad_.size(), waited = 0;
       if (waited > kPatience + 2 * bad_.size()) break;
       const auto next = bad_.upper_bound(last);

@@ -23,7 +23,8 @@ struct StraightNodes {
 /// around has such a Jacobian, found by tries around each triangle in turn.
 ///
 /// `node_of` tells the node of an edge and `may_move` whether it may be another one.
-/// Cost: O(triangles), and some thousand tries for each triangle that is not valid
+/// Cost: O(triangles), and some thousand tries for each triangle that is not valid, up to some ten
+///       thousand where others beside it become invalid in its place
 StraightNodes valid_straight_nodes(const TriMesh& mesh,
                                    const std::function<Point(std::size_t edge)>& node_of,
                                    const std::function<bool(std::size_t edge)>& may_move);

@@ -72,7 +72,7 @@ class RegionWork {
   /// obtuse ones.
   [[nodiscard]] bool is_mended_by_cuts() const {
     return options_.effort == Effort::normal && is_cut_until_met(options_) &&
-           options_.max_angle <= Angle::degrees(90);
+           options_.max_angle == Angle::degrees(90);
   }
 
   [[nodiscard]] Unreached unreached() const {

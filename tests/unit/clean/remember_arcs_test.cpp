@@ -94,6 +94,25 @@ TEST(RememberArcs, ChordsThatLinesCutStayStraightAndAreTold) {
       [](const Note& note) { return note.message.starts_with("2 chords of arcs, the first at"); }));
 }
 
+/// Welding by more than a chord is long moves no end so far: pieces are no chords.
+TEST(RememberArcs, PiecesOfFineChordsStayStraightHoweverMuchIsWelded) {
+  Input input;
+  testing::add_circle(input, {0, 0}, 1, 360);
+  input.points.push_back({-5, 0.0123});
+  input.points.push_back({5, 0.0123});
+  InputSegment line;
+  line.a = 360, line.b = 361, line.id = 360;
+  input.segments.push_back(line);
+  Options options;
+  options.weld = 3e-3;
+  const Result<Prepared> prepared = prepare(input, options);
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  EXPECT_EQ(chords_of(prepared->pslg), 358U);
+  EXPECT_TRUE(std::any_of(
+      prepared->report.notes.begin(), prepared->report.notes.end(),
+      [](const Note& note) { return note.message.starts_with("2 chords of arcs, the first at"); }));
+}
+
 TEST(RememberArcs, PaintedRingsAndLinesRemember) {
   Input circle;
   testing::add_circle(circle, {0, 0}, 1, 12);

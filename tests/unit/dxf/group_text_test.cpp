@@ -10,6 +10,12 @@ TEST(GroupText, IsReadInTheCodePageOfTheDrawing) {
   EXPECT_EQ(group_text_in_utf8("L\xe4ufer 1", ""), "L\xc3\xa4ufer 1");
   EXPECT_EQ(group_text_in_utf8("\xf1", "ANSI_1251"), "\xd1\x81");  // a Cyrillic es
   EXPECT_EQ(group_text_in_utf8("\x84", "dos850"), "\xc3\xa4");
+  EXPECT_EQ(group_text_in_utf8("\xb0\xa1", "ksc5601"), "\xea\xb0\x80");
+  EXPECT_EQ(group_text_in_utf8("T\xf4"
+                               "a",
+                               "ANSI_1258"),
+            "T\xc3\xb4"
+            "a");
 }
 
 TEST(GroupText, UnicodeStaysAsItIs) {
@@ -27,6 +33,8 @@ TEST(GroupText, CharactersByTheirNumbers) {
 TEST(GroupText, WhatIsNoTextStays) {
   EXPECT_EQ(group_text_in_utf8("\xe4", "no code page"), "\xe4");
   EXPECT_EQ(group_text_in_utf8("\x81", "ANSI_1252"), "\x81");  // which has none
+  // In EBCDIC there is a line break in it.
+  EXPECT_EQ(group_text_in_utf8("\xc1\x25\xf7", "ANSI_037"), "\xc1\x25\xf7");
 }
 
 }  // namespace

@@ -365,7 +365,7 @@ TEST(ReadDxf, UnitsAndWhatIsLeftOutAreTold) {
   const Input input = read(d.finish());
   ASSERT_EQ(input.warnings.size(), 3U);
   EXPECT_EQ(input.warnings[0], "entities that are not read: 1 HATCH, 1 POINT");
-  EXPECT_EQ(input.warnings[1], "1 circle whose radius is not positive: left out");
+  EXPECT_EQ(input.warnings[1], "1 circle or arc whose radius is not positive: left out");
   EXPECT_NE(input.warnings[2].find("inches"), std::string::npos);
   ReadOptions options;
   options.unit = "mm";

@@ -120,11 +120,16 @@ void join_attributes(Input& all, Input& more) {
   for (Attribute& attribute : all.attributes) attribute.values.resize(rows, nothing_of(attribute));
 }
 
-/// Two maps of one system have one unit, which not every format says.
-void share_unit(Input& one, Input& other) {
-  if (one.system.empty() || one.system != other.system || one.scale != other.scale) return;
-  if (one.unit.empty()) one.unit = other.unit;
-  if (other.unit.empty()) other.unit = one.unit;
+/// All maps of one system have one unit, which not every format says.
+void share_units(std::vector<Input>& inputs) {
+  std::map<std::pair<std::string, double>, std::string> units;
+  for (const Input& input : inputs)
+    if (!input.system.empty() && !input.unit.empty())
+      units.emplace(std::pair(input.system, input.scale), input.unit);
+  for (Input& input : inputs) {
+    const auto unit = units.find({input.system, input.scale});
+    if (input.unit.empty() && unit != units.end()) input.unit = unit->second;
+  }
 }
 
 /// Whether a warning says the same of one map as of another, and once is enough.
@@ -137,7 +142,6 @@ bool is_told(const Input& input, const std::string& warning) {
 }
 
 Status join(Input& all, Input more, std::size_t file) {
-  share_unit(all, more);
   if (all.unit != more.unit || all.scale != more.scale)
     return differ(all, more,
                   fmt::format("their units of length are not the same, {} and {}: the option unit "
@@ -219,6 +223,7 @@ Result<Input> join_inputs(std::vector<Input> inputs) {
   std::vector<std::string> warnings;
   if (Status status = check_systems(inputs, warnings); !status) return std::move(status).error();
   if (std::optional<Error> missing = find_missing(inputs)) return *std::move(missing);
+  share_units(inputs);
   std::string source = inputs.front().source;
   for (std::size_t k = 1; k < inputs.size() && k < kNamed; ++k) source += ", " + inputs[k].source;
   source += and_more(inputs.size(), kNamed);

@@ -61,11 +61,11 @@ class Grouping {
   std::vector<Group> finish(int first_tag, const std::set<int>& taken = {}) {
     Names originals;
     for (const Group& group : groups_) originals.push_back(group.original);
-    const Names labels = names_by(groups_, originals, [](const Names& some, const NameSet& taken) {
-      return unique_legible_names(some, taken);
+    const Names labels = names_by(groups_, originals, [](const Names& some, const NameSet& used) {
+      return unique_legible_names(some, used);
     });
-    const Names names = names_by(groups_, originals, [](const Names& some, const NameSet& taken) {
-      return unique_safe_names(some, taken);
+    const Names names = names_by(groups_, originals, [](const Names& some, const NameSet& used) {
+      return unique_safe_names(some, used);
     });
     for (std::size_t g = 0; g < groups_.size(); ++g, ++first_tag) {
       while (taken.contains(first_tag)) ++first_tag;

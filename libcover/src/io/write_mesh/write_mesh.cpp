@@ -35,6 +35,7 @@ struct Format {
   bool values = false;       ///< at points
   bool periodic = false;     ///< which vertices are images of each other
   bool numbers = false;      ///< solvers find regions and lines by the numbers of groups
+  bool triangles = true;     ///< holds any
   bool second_order = true;  ///< can hold triangles with six nodes, or no triangles at all
   Files files = Files::one;
   std::array<const char*, 2> companions{};  ///< endings of its other files, always there
@@ -95,8 +96,12 @@ constexpr std::array kFormats{
     Format{.extension = ".obj", .write = write_obj, .second_order = false},
     Format{.extension = ".off", .write = write_off, .second_order = false},
     Format{.extension = ".ply", .write = write_ply, .second_order = false},
-    Format{.extension = ".json", .write = write_manifest, .attributes = true, .periodic = true},
-    Format{.extension = ".poly", .write = write_clean_input},
+    Format{.extension = ".json",
+           .write = write_manifest,
+           .attributes = true,
+           .periodic = true,
+           .triangles = false},
+    Format{.extension = ".poly", .write = write_clean_input, .triangles = false},
 };
 
 const Format* find_format(std::string_view extension) {
@@ -158,8 +163,9 @@ Status check_for(const Format& format, const std::string& path, const WriteOptio
 }
 
 /// No solver takes triangles of second order that fold over.
-Status check_nodes(const Output& output, const std::string& path, const WriteOptions& options) {
-  if (options.order != 2) return ok();
+Status check_nodes(const Format& format, const Output& output, const std::string& path,
+                   const WriteOptions& options) {
+  if (options.order != 2 || !format.triangles) return ok();
   const std::vector<std::uint32_t> folded = curved_mesh(output).not_valid;
   if (folded.empty()) return ok();
   Error error{ErrorCode::cannot_write, {}, {}, {}};
@@ -246,8 +252,9 @@ bool is_several_files(const std::string& path, const WriteOptions& options) {
 Status write_mesh(const Output& output, const std::string& path, const WriteOptions& options) {
   return memory_as_value(path, [&]() -> Status {
     if (Status status = can_write(path, options); !status) return status;
-    if (Status status = check_nodes(output, path, options); !status) return status;
-    return format_of(path)->write(output, path, options);
+    const Result<Format> format = format_of(path);
+    if (Status status = check_nodes(*format, output, path, options); !status) return status;
+    return format->write(output, path, options);
   });
 }
 

@@ -174,7 +174,8 @@ class BlockReader {
       if (!take_nodes(c, 3)) return false;
       const std::uint32_t id = number(*region, c);
       if (id == 0 || id > most_) return false;
-      const int of_material = static_cast<int>(number(*material, c));
+      const std::uint32_t of_material = number(*material, c);
+      if (of_material > static_cast<std::uint32_t>(std::numeric_limits<int>::max())) return false;
       stored_.soup.triangles.push_back({nodes_[0], nodes_[1], nodes_[2]});
       if (nodes_.size() == 6) middles_.push_back({nodes_[3], nodes_[4], nodes_[5]});
       stored_.soup.region.push_back(id);
@@ -183,7 +184,7 @@ class BlockReader {
       Region& entry = stored_.regions[id - 1];
       if (entry.material != 0) continue;
       entry.id = RegionId(id);
-      entry.material = of_material;
+      entry.material = static_cast<int>(of_material);
       entry.name = block.name;
       entry.material_name = fmt::format("material_{}", of_material);
     }
