@@ -4,6 +4,7 @@
 #include <iconv.h>
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cstdint>
 #include <optional>
@@ -41,7 +42,7 @@ class Converter {
 
  private:
   [[nodiscard]] bool is_there() const {
-    return handle_ != reinterpret_cast<iconv_t>(static_cast<std::intptr_t>(-1));
+    return handle_ != std::bit_cast<iconv_t>(std::intptr_t{-1});
   }
   iconv_t handle_;
 };
