@@ -158,8 +158,10 @@ std::string with_quotes(const CLI::App& command, std::string text) {
     const std::size_t at = text.find(printed);
     if (at == std::string::npos) continue;
     std::string list;
-    for (const std::string& value : values)
-      list += (list.empty() ? "" : ", ") + quoted_value(value);
+    for (const std::string& value : values) {
+      if (!list.empty()) list += ", ";
+      list += quoted_value(value);
+    }
     text.replace(at, printed.size(), name + (values.size() > 1 ? '[' + list + ']' : list) + '\n');
   }
   return text;

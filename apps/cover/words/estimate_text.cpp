@@ -8,6 +8,8 @@
 
 #include <cover/text.hpp>
 
+#include "terminal/console.hpp"
+
 namespace cover::app {
 namespace {
 
