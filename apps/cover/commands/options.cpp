@@ -162,7 +162,8 @@ std::string with_quotes(const CLI::App& command, std::string text) {
       if (!list.empty()) list += ", ";
       list += quoted_value(value);
     }
-    text.replace(at, printed.size(), name + (values.size() > 1 ? '[' + list + ']' : list) + '\n');
+    if (values.size() > 1) list = fmt::format("[{}]", list);
+    text.replace(at, printed.size(), fmt::format("{}{}\n", name, list));
   }
   return text;
 }
