@@ -21,6 +21,28 @@ std::size_t chords_of(const Pslg& pslg) {
                     [&](const Segment& s) { return circle_of(pslg, s) != nullptr; }));
 }
 
+/// A circle of radius 1 of so many chords, and a line through it at the height `y`.
+Input circle_and_line(std::uint32_t chords, double half_length, double y) {
+  Input input;
+  testing::add_circle(input, {0, 0}, 1, static_cast<int>(chords));
+  input.points.push_back({-half_length, y});
+  input.points.push_back({half_length, y});
+  InputSegment line;
+  line.a = chords;
+  line.b = chords + 1;
+  line.id = chords;
+  input.segments.push_back(line);
+  return input;
+}
+
+void expect_two_cut(const Result<Prepared>& prepared, std::size_t chords) {
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  EXPECT_EQ(chords_of(prepared->pslg), chords - 2);
+  EXPECT_TRUE(std::any_of(
+      prepared->report.notes.begin(), prepared->report.notes.end(),
+      [](const Note& note) { return note.message.starts_with("2 chords of arcs, the first at"); }));
+}
+
 TEST(RememberArcs, CleanInputsKeepAllChords) {
   Input input;
   testing::add_circle(input, {1, 2}, 3, 8);
@@ -79,38 +101,14 @@ TEST(RememberArcs, EndsThatWeldingMovedAreOnTheirArc) {
 }
 
 TEST(RememberArcs, ChordsThatLinesCutStayStraightAndAreTold) {
-  Input input;
-  testing::add_circle(input, {0, 0}, 1, 8);
-  input.points.push_back({-2, 0.1});
-  input.points.push_back({2, 0.1});
-  InputSegment line;
-  line.a = 8, line.b = 9, line.id = 8;
-  input.segments.push_back(line);
-  const Result<Prepared> prepared = prepare(input);
-  ASSERT_TRUE(prepared) << prepared.error().message;
-  EXPECT_EQ(chords_of(prepared->pslg), 6U);
-  EXPECT_TRUE(std::any_of(
-      prepared->report.notes.begin(), prepared->report.notes.end(),
-      [](const Note& note) { return note.message.starts_with("2 chords of arcs, the first at"); }));
+  expect_two_cut(prepare(circle_and_line(8, 2, 0.1)), 8);
 }
 
 /// Welding by more than a chord is long moves no end so far: pieces are no chords.
 TEST(RememberArcs, PiecesOfFineChordsStayStraightHoweverMuchIsWelded) {
-  Input input;
-  testing::add_circle(input, {0, 0}, 1, 360);
-  input.points.push_back({-5, 0.0123});
-  input.points.push_back({5, 0.0123});
-  InputSegment line;
-  line.a = 360, line.b = 361, line.id = 360;
-  input.segments.push_back(line);
   Options options;
   options.weld = 3e-3;
-  const Result<Prepared> prepared = prepare(input, options);
-  ASSERT_TRUE(prepared) << prepared.error().message;
-  EXPECT_EQ(chords_of(prepared->pslg), 358U);
-  EXPECT_TRUE(std::any_of(
-      prepared->report.notes.begin(), prepared->report.notes.end(),
-      [](const Note& note) { return note.message.starts_with("2 chords of arcs, the first at"); }));
+  expect_two_cut(prepare(circle_and_line(360, 5, 0.0123), options), 360);
 }
 
 TEST(RememberArcs, PaintedRingsAndLinesRemember) {

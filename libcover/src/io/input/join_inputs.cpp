@@ -207,10 +207,10 @@ std::optional<Error> find_missing(const std::vector<Input>& inputs) {
   }
   for (auto& [name, missing] : names) {
     if (missing.is_there) continue;
-    const std::size_t more = missing.sentences.size() - std::min(missing.sentences.size(), kTold);
-    missing.sentences.resize(missing.sentences.size() - more);
-    if (more > 0) missing.sentences.push_back(fmt::format("and {} more", more));
-    return bad_option(name.first + ": " + listed(missing.sentences, "; "));
+    const std::size_t all = missing.sentences.size();
+    missing.sentences.resize(std::min(all, kTold));
+    return bad_option(name.first + ": " + listed(missing.sentences, "; ") +
+                      and_more(all, kTold, ";"));
   }
   return std::nullopt;
 }
