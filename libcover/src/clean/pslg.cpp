@@ -2,6 +2,7 @@
 //
 //   gather -> weld, cut -> paint polygons -> drop what is hidden -> assemble -> seeds over polygons
 //
+// Before all that, arcs get ends of chords where other lines end on them.
 // Even-odd parity is kept by every stage, so it is enough to count it at the end, on the very edges
 // that are handed on: no face is lost or doubled by rounding.
 // Tested by tests/unit/clean/pslg_test.cpp and soup_test.cpp.
@@ -19,6 +20,7 @@
 #include "base/faults/complaint.hpp"
 #include "base/faults/machine_memory.hpp"
 #include "base/words/and_more.hpp"
+#include "clean/arcs/meet_arcs.hpp"
 #include "clean/change_report.hpp"
 #include "clean/check_input.hpp"
 #include "clean/check_pslg.hpp"
@@ -240,27 +242,16 @@ Result<Pslg> clean_up_unless_endless(const Input& input, const Options& options,
   }
 }
 
-}  // namespace
-
-Result<Pslg> make_pslg(const Input& input, const Options& options, Report& report,
-                       std::optional<Triangulation>* whole, const Team& team) {
-  if (auto error = find_contradiction(input)) return *error;
-  if (auto error = find_unusable(input)) return *error;
-  if (auto error = find_bad_arcs(input)) return *error;
-  if (is_empty(input) && !options.hull) {
-    return Error{ErrorCode::no_segments,
-                 fmt::format("{}: there are no segments and no polygons{}{}", name_of(input),
-                             input.warnings.empty() ? "" : "; ", listed(input.warnings)),
-                 {},
-                 {}};
-  }
+/// Makes a PSLG of an input whose arcs meet what ends on them.
+Result<Pslg> make_pslg_of_chords(const Input& input, const Options& options, Report& report,
+                                 std::optional<Triangulation>* whole, const Team& team) {
   const bool is_plain = input.polygons.empty() && input.lines.empty();
   if (is_plain && !options.weld) {
     if (const auto joined = join_loose_ends(input, report.changes)) {
       if (options.strict) return *changes_as_error(input, report.changes);
       Options as_it_is = options;
       as_it_is.weld = 0;
-      return make_pslg(*joined, as_it_is, report, whole, team);
+      return make_pslg_of_chords(*joined, as_it_is, report, whole, team);
     }
   }
   if (options.overlap != Overlap::last && input.polygons.empty()) {
@@ -303,6 +294,24 @@ Result<Pslg> make_pslg(const Input& input, const Options& options, Report& repor
   const bool is_as_it_was = keep && pslg->segments.size() == input.segments.size();
   if (whole != nullptr && is_as_it_was) *whole = std::move(triangulation);
   return pslg;
+}
+
+}  // namespace
+
+Result<Pslg> make_pslg(const Input& input, const Options& options, Report& report,
+                       std::optional<Triangulation>* whole, const Team& team) {
+  if (auto error = find_contradiction(input)) return *error;
+  if (auto error = find_unusable(input)) return *error;
+  if (auto error = find_bad_arcs(input)) return *error;
+  if (is_empty(input) && !options.hull) {
+    return Error{ErrorCode::no_segments,
+                 fmt::format("{}: there are no segments and no polygons{}{}", name_of(input),
+                             input.warnings.empty() ? "" : "; ", listed(input.warnings)),
+                 {},
+                 {}};
+  }
+  const auto met = meet_arcs(input, weld_of(input, options), report.changes, report.notes);
+  return make_pslg_of_chords(met ? *met : input, options, report, whole, team);
 }
 
 }  // namespace cover

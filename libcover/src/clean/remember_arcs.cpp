@@ -17,6 +17,8 @@
 #include <cover/text.hpp>
 
 #include "base/faults/complaint.hpp"
+#include "clean/arcs/cut_chords.hpp"
+#include "clean/arcs/input_edges.hpp"
 #include "clean/ends/loose_ends.hpp"
 #include "clean/ends/near_points.hpp"
 #include "geom/box.hpp"
@@ -26,33 +28,14 @@
 namespace cover {
 namespace {
 
-constexpr double kLongestChord = 1.8;     ///< of the radius; of 120 degrees it is 1.73
 constexpr double kBesideChord = 0x1p-40;  ///< of a chord: a piece of it is as near
 
 /// Calls `f` with the ends and the circle of every chord, and the element that it belongs to.
 template <class F>
 void for_each_chord(const Input& input, F f) {
-  for (const InputSegment& s : input.segments) {
-    if (s.circle != 0)
-      f(input.points[s.a], input.points[s.b], s.circle, InputRef{InputKind::segment, s.id});
-  }
-  const auto path = [&](const std::vector<Point>& points, const std::vector<std::uint32_t>& circles,
-                        bool is_closed, InputRef ref) {
-    for (std::size_t k = 0; k < std::min(points.size(), circles.size()); ++k) {
-      if (circles[k] == 0 || (k + 1 == points.size() && !is_closed)) continue;
-      f(points[k], points[k + 1 < points.size() ? k + 1 : 0], circles[k], ref);
-    }
-  };
-  for (const InputPolygon& polygon : input.polygons) {
-    for (std::size_t r = 0; r < std::min(polygon.rings.size(), polygon.circles.size()); ++r)
-      path(polygon.rings[r], polygon.circles[r], true, {InputKind::polygon, polygon.id});
-  }
-  for (const InputLine& line : input.lines)
-    path(line.points, line.circles, false, {InputKind::line, line.id});
-}
-
-const char* describe_kind(InputKind kind) {
-  return kind == InputKind::polygon ? "polygon" : kind == InputKind::line ? "line" : "segment";
+  for_each_edge(input, [&](Point a, Point b, std::uint32_t circle, const InputRef& ref) {
+    if (circle != 0) f(a, b, circle, ref);
+  });
 }
 
 using Ends = std::pair<Point, Point>;          ///< the smaller first
@@ -181,9 +164,7 @@ void remember_arcs(const Input& input, double weld, Pslg& pslg, std::vector<Note
   pslg.circles = input.circles;
   Chords chords;
   for_each_chord(input, [&](Point a, Point b, std::uint32_t circle, InputRef) {
-    // Of half a circle there would be no telling on which side of the chord it lies.
-    if (a != b && length(b - a) < kLongestChord * input.circles[circle - 1].radius)
-      chords.emplace(std::minmax(a, b), circle);
+    if (is_short_enough(input.circles[circle - 1], a, b)) chords.emplace(std::minmax(a, b), circle);
   });
   for (Segment& s : pslg.segments) {
     const Point a = pslg.points[s.a.index()], b = pslg.points[s.b.index()];

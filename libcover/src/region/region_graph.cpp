@@ -257,8 +257,6 @@ Error nothing_enclosed(const Pslg& pslg, const char* what) {
       ErrorCode::nothing_enclosed, pslg.source.empty() ? what : pslg.source + ": " + what, {}, {}};
 }
 
-/// Gaps wider than this part of the drawing's size are not taken for errors of drawing.
-constexpr double kSmallGap = 0x1p-19;
 /// Gaps of at most this part of the drawing's size are named where lines are left out.
 constexpr double kNamedGap = 0x1p-7;
 
@@ -307,14 +305,11 @@ std::string nearly_meet(const Pslg& pslg, const std::vector<LooseGap>& gaps) {
                      describe(pslg.points[gaps[0].loose]), describe_roughly(gaps[0].distance));
 }
 
-/// What --weld takes for gaps in a drawing so large: auto, or a tolerance with one digit.
+/// What --weld takes for gaps in a drawing so large.
 std::string weld_for(const std::vector<LooseGap>& gaps, double extent) {
   double widest = 0;
   for (const LooseGap& gap : gaps) widest = std::max(widest, gap.distance / extent);
-  if (widest <= kAutoWeld) return "--weld auto";
-  const double unit = std::pow(10, std::floor(std::log10(widest)));
-  // Above what is measured, which is rounded.
-  return fmt::format("--weld {:.0e}", std::ceil(widest / unit * (1 + 0x1p-20)) * unit);
+  return weld_closing(widest);
 }
 
 Box box_of_ends(const Pslg& pslg, std::span<const IndexPair> segments) {

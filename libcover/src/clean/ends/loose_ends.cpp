@@ -2,9 +2,11 @@
 #include "clean/ends/loose_ends.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/core.h>
 
+#include <cover/option_ranges.hpp>
 #include <cover/text.hpp>
 
 #include "base/faults/complaint.hpp"
@@ -42,6 +44,13 @@ std::vector<LooseGap> find_loose_gaps(std::span<const Point> points,
     if (gap.other != v) gaps.push_back(gap);
   }
   return gaps;
+}
+
+std::string weld_closing(double widest) {
+  if (widest <= kAutoWeld) return "--weld auto";
+  const double unit = std::pow(10, std::floor(std::log10(widest)));
+  // Above what is measured, which is rounded.
+  return fmt::format("--weld {:.0e}", std::ceil(widest / unit * (1 + 0x1p-20)) * unit);
 }
 
 std::optional<Input> join_loose_ends(const Input& input, std::vector<Change>& changes) {

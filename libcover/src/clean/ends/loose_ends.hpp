@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <cover/input.hpp>
@@ -30,6 +31,13 @@ struct LooseGap {
 /// Cost: O(n log n), unless many ends are near one.
 std::vector<LooseGap> find_loose_gaps(std::span<const Point> points,
                                       std::span<const IndexPair> segments, double reach);
+
+/// Gaps wider than this part of the drawing's size are not taken for errors of drawing.
+inline constexpr double kSmallGap = 0x1p-19;
+
+/// "--weld auto" or "--weld 3e-08": the option, with one digit, that closes gaps of at most
+/// `widest`, as a part of the drawing's size.
+std::string weld_closing(double widest);
 
 /// The input with loose ends joined to ends that are within rounding_of() its points. Nothing if
 /// there are none. Every one is appended to `changes`.

@@ -103,9 +103,12 @@ Point ArcOver::at(double share) const {
 
 Point ArcOver::above(Point p) const { return at(part_on_line(a_, b_, p)); }
 
-bool ArcOver::is_on_circle(Point p) const {
-  const double size = std::max({radius_, std::abs(p.x), std::abs(p.y)});
-  return std::abs(length(p - centre_) - radius_) <= kOnCircle * size;
+double ArcOver::distance_from_circle(Point p) const {
+  return std::abs(length(p - centre_) - radius_);
+}
+
+double ArcOver::rounding_at(Point p) const {
+  return kOnCircle * std::max({radius_, std::abs(p.x), std::abs(p.y)});
 }
 
 double ArcOver::share_of(Point p) const {

@@ -52,7 +52,12 @@ class ArcOver {
   /// The point at the same share of the arc's angle as `p` is of the chord.
   [[nodiscard]] Point above(Point p) const;
   /// Whether `p` lies on the circle of the arc up to rounding: 2^-40 of its size and of its place.
-  [[nodiscard]] bool is_on_circle(Point p) const;
+  [[nodiscard]] bool is_on_circle(Point p) const {
+    return distance_from_circle(p) <= rounding_at(p);
+  }
+  /// How far `p` is from the circle of the arc, and what of that may be rounding.
+  [[nodiscard]] double distance_from_circle(Point p) const;
+  [[nodiscard]] double rounding_at(Point p) const;
   /// Which share of the way along the arc leads to `p`, a point of the circle: from 0 to 1 on the
   /// arc, below or above these beside it.
   [[nodiscard]] double share_of(Point p) const;

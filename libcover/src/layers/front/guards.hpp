@@ -6,7 +6,7 @@
 
 #include <cover/point.hpp>
 
-#include "layers/front/box_tree.hpp"
+#include "geom/search/box_tree.hpp"
 
 namespace cover::layers {
 

@@ -18,7 +18,7 @@
 #include "cdt/triangulation.hpp"
 #include "geom/box.hpp"
 #include "geom/predicates.hpp"
-#include "layers/front/box_tree.hpp"
+#include "geom/search/box_tree.hpp"
 #include "layers/front/side_links.hpp"
 
 namespace cover::layers {

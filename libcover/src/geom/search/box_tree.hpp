@@ -7,7 +7,7 @@
 
 #include "geom/box.hpp"
 
-namespace cover::layers {
+namespace cover {
 
 /// Built once, asked often.
 class BoxTree {
@@ -51,4 +51,4 @@ class BoxTree {
   std::vector<std::uint32_t> items_;
 };
 
-}  // namespace cover::layers
+}  // namespace cover

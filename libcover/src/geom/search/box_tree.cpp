@@ -1,12 +1,12 @@
 // Halved at the median of the longer direction.
 // Tested by tests/unit/layers/front/guards_test.cpp.
-#include "layers/front/box_tree.hpp"
+#include "geom/search/box_tree.hpp"
 
 #include <numeric>
 
 #include "geom/vector.hpp"
 
-namespace cover::layers {
+namespace cover {
 namespace {
 
 constexpr std::uint32_t kLeaf = 4;  ///< boxes at most
@@ -45,4 +45,4 @@ std::uint32_t BoxTree::build(std::span<const Box> boxes, std::uint32_t first, st
   return at;
 }
 
-}  // namespace cover::layers
+}  // namespace cover

@@ -1,0 +1,34 @@
+// Chords of an input, and points put between their ends.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include <cover/input.hpp>
+
+namespace cover {
+
+/// A chord of an input, whichever way round it is drawn and however often.
+struct InputChord {
+  Point a, b;                ///< a < b
+  std::uint32_t circle = 0;  ///< as in InputSegment
+  friend constexpr auto operator<=>(const InputChord&, const InputChord&) = default;
+};
+
+/// Of half a circle and more there is no telling on which side of its chord an arc lies.
+bool is_short_enough(const ArcCircle& circle, Point a, Point b);
+
+/// The short enough chords of an input, each once, in order.
+///
+/// REQUIRES: find_bad_arcs finds nothing
+std::vector<InputChord> chords_of(const Input& input);
+
+/// By chord: points between its ends, in order from a to b.
+using ChordCuts = std::map<InputChord, std::vector<Point>>;
+
+/// The input with every such chord cut at its points, all pieces being chords of the same circle.
+/// Pieces of a segment keep its name, its marker and its id.
+Input cut_chords(const Input& input, const ChordCuts& cuts);
+
+}  // namespace cover

@@ -1,0 +1,42 @@
+// All lines of an input, edge by edge.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <cover/error.hpp>
+#include <cover/input.hpp>
+
+namespace cover {
+
+/// Calls f(a, b, circle, ref) for every segment, edge of a ring and edge of a line: its ends, the
+/// number of its circle as in InputSegment, and the element that it belongs to.
+template <class F>
+void for_each_edge(const Input& input, F f) {
+  for (const InputSegment& s : input.segments)
+    f(input.points[s.a], input.points[s.b], s.circle, InputRef{InputKind::segment, s.id});
+  const auto path = [&](const std::vector<Point>& points, const std::vector<std::uint32_t>& circles,
+                        bool is_closed, InputRef ref) {
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (k + 1 == points.size() && !is_closed) continue;
+      f(points[k], points[k + 1 < points.size() ? k + 1 : 0], k < circles.size() ? circles[k] : 0,
+        ref);
+    }
+  };
+  static const std::vector<std::uint32_t> kStraight;
+  for (const InputPolygon& polygon : input.polygons) {
+    for (std::size_t r = 0; r < polygon.rings.size(); ++r)
+      path(polygon.rings[r], r < polygon.circles.size() ? polygon.circles[r] : kStraight, true,
+           {InputKind::polygon, polygon.id});
+  }
+  for (const InputLine& line : input.lines)
+    path(line.points, line.circles, false, {InputKind::line, line.id});
+}
+
+/// "polygon", "line" or "segment".
+inline const char* describe_kind(InputKind kind) {
+  return kind == InputKind::polygon ? "polygon" : kind == InputKind::line ? "line" : "segment";
+}
+
+}  // namespace cover

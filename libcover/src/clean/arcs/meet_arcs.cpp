@@ -1,0 +1,181 @@
+// Tested by tests/unit/clean/arcs/meet_arcs_test.cpp.
+#include "clean/arcs/meet_arcs.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include <cover/text.hpp>
+
+#include "clean/arcs/cut_chords.hpp"
+#include "clean/arcs/input_edges.hpp"
+#include "clean/ends/loose_ends.hpp"
+#include "geom/box.hpp"
+#include "geom/curves/arc.hpp"
+#include "geom/search/box_tree.hpp"
+#include "geom/vector.hpp"
+
+namespace cover {
+namespace {
+
+constexpr double kPartOfLine = 1.0 / 8;  ///< as in welding
+/// Compared with the lines beside, as of near misses: rounded decimals miss by less.
+constexpr double kWorthTelling = 1e-6;
+
+/// An end of lines.
+struct EndOfLines {
+  Point at;
+  double shortest = 0;  ///< of the lines that end there
+  friend constexpr auto operator<=>(const EndOfLines&, const EndOfLines&) = default;
+};
+
+/// All ends, each place once.
+std::vector<EndOfLines> ends_of(const Input& input) {
+  std::vector<EndOfLines> ends;
+  for_each_edge(input, [&](Point a, Point b, std::uint32_t, const InputRef&) {
+    if (a == b) return;
+    ends.push_back({a, length(b - a)});
+    ends.push_back({b, length(b - a)});
+  });
+  std::sort(ends.begin(), ends.end());  // of one place the shortest line comes first
+  const auto is_same = [](const EndOfLines& e, const EndOfLines& f) { return e.at == f.at; };
+  ends.erase(std::unique(ends.begin(), ends.end(), is_same), ends.end());
+  return ends;
+}
+
+/// An end on an arc.
+struct Meeting {
+  double share = 0;  ///< of the way along the arc
+  double reach = 0;  ///< what is nearer is the same point, and left to welding
+  double off = 0;    ///< how far it is from the arc, more than rounding; 0: on it
+  Point at;
+  friend constexpr auto operator<=>(const Meeting&, const Meeting&) = default;
+};
+
+class ArcMeeter {
+ public:
+  ArcMeeter(const Input& input, double weld) : input_(input), chords_(chords_of(input)) {
+    ends_ = ends_of(input);
+    Box box;
+    for (const EndOfLines& end : ends_) box.add(end.at);
+    extent_ = box.extent();
+    tolerance_ = weld * extent_;
+  }
+
+  ChordCuts find() {
+    std::vector<Box> boxes;
+    boxes.reserve(chords_.size());
+    for (const InputChord& chord : chords_) boxes.push_back(box_around(chord));
+    const BoxTree tree(boxes);
+    for (const EndOfLines& end : ends_) {
+      Box here;
+      here.add(end.at);
+      tree.visit(here, [&](std::uint32_t k) { look(end, chords_[k]); });
+    }
+    ChordCuts cuts;
+    for (auto& [chord, meetings] : meetings_) {
+      std::vector<Point> points = points_along(meetings);
+      if (!points.empty()) cuts.emplace(chord, std::move(points));
+    }
+    return cuts;
+  }
+
+  void tell(std::vector<Change>& changes, std::vector<Note>& notes) const {
+    for (const Meeting& bent : bent_)
+      changes.push_back({Change::Kind::welded,
+                         fmt::format("an arc was bent by {} to the end of a line at {}",
+                                     describe_roughly(bent.off), describe(bent.at)),
+                         {bent.at},
+                         {}});
+    if (missed_.empty()) return;
+    const auto& [nearest, off] = *missed_.begin();
+    std::vector<Point> where;
+    double widest = 0;
+    for (const auto& [at, away] : missed_) {
+      where.push_back(at);
+      widest = std::max(widest, away);
+    }
+    notes.push_back(
+        {Note::Kind::warning, kVoid,
+         fmt::format("{} close to an arc and not on it, the first at {}, which misses it by {}: {} "
+                     "closes such gaps",
+                     missed_.size() == 1 ? "1 end of a line is"
+                                         : fmt::format("{} ends of lines are", missed_.size()),
+                     describe(nearest), describe_roughly(off), weld_closing(widest / extent_)),
+         std::move(where)});
+  }
+
+ private:
+  [[nodiscard]] const ArcCircle& circle_of_chord(const InputChord& chord) const {
+    return input_.circles[chord.circle - 1];
+  }
+
+  /// All that is of interest to the arc over a chord lies in it.
+  [[nodiscard]] Box box_around(const InputChord& chord) const {
+    const ArcOver arc(circle_of_chord(chord), chord.a, chord.b);
+    Box box;
+    box.add(chord.a);
+    box.add(chord.b);
+    const double away = length(arc.middle() - midpoint(chord.a, chord.b)) + tolerance_ +
+                        arc.rounding_at(chord.a) + kWorthTelling * length(chord.b - chord.a);
+    box.low = box.low + Vector{-away, -away};
+    box.high = box.high + Vector{away, away};
+    return box;
+  }
+
+  void look(const EndOfLines& end, const InputChord& chord) {
+    if (end.at == chord.a || end.at == chord.b) return;
+    const ArcOver arc(circle_of_chord(chord), chord.a, chord.b);
+    const double share = arc.share_of(end.at);
+    if (!(share > 0 && share < 1)) return;
+    const double off = arc.distance_from_circle(end.at), rounding = arc.rounding_at(end.at);
+    const double reach = std::min(std::max(rounding, tolerance_), kPartOfLine * end.shortest);
+    const double from_end = std::min(length(end.at - chord.a), length(end.at - chord.b));
+    if (from_end <= reach) return;
+    const double near = kWorthTelling * std::min(end.shortest, length(chord.b - chord.a));
+    if (off <= reach) {
+      meetings_[chord].push_back({share, reach, off <= rounding ? 0 : off, end.at});
+    } else if (off <= near && from_end > near) {  // near misses of two points are told as such
+      missed_.emplace(end.at, off);
+    }
+  }
+
+  /// The ends on one arc, without those that are the same as the one before.
+  std::vector<Point> points_along(std::vector<Meeting>& meetings) {
+    std::sort(meetings.begin(), meetings.end());
+    std::vector<Point> points;
+    for (const Meeting& m : meetings) {
+      if (!points.empty() && length(m.at - points.back()) <= m.reach) continue;
+      points.push_back(m.at);
+      if (m.off > 0) bent_.push_back(m);
+    }
+    return points;
+  }
+
+  const Input& input_;
+  std::vector<InputChord> chords_;
+  std::vector<EndOfLines> ends_;
+  double extent_ = 0;  ///< of the drawing
+  double tolerance_ = 0;
+  std::map<InputChord, std::vector<Meeting>> meetings_;
+  std::vector<Meeting> bent_;
+  std::map<Point, double> missed_;
+};
+
+}  // namespace
+
+std::optional<Input> meet_arcs(const Input& input, double weld, std::vector<Change>& changes,
+                               std::vector<Note>& notes) {
+  if (input.circles.empty()) return std::nullopt;
+  ArcMeeter meeter(input, weld);
+  const ChordCuts cuts = meeter.find();
+  meeter.tell(changes, notes);
+  if (cuts.empty()) return std::nullopt;
+  return cut_chords(input, cuts);
+}
+
+}  // namespace cover

@@ -1,0 +1,145 @@
+#include "clean/arcs/meet_arcs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <cover/cover_mesh.hpp>
+
+#include "geom/curves/arc.hpp"
+#include "geom/vector.hpp"
+#include "support/inputs/arc_devices.hpp"
+
+namespace cover {
+namespace {
+
+Point at_angle(double radius, double degrees) {
+  const double angle = Angle::degrees(degrees).in_radians();
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+void add_line(Input& input, Point a, Point b) {
+  InputSegment line;
+  line.a = static_cast<std::uint32_t>(input.points.size());
+  line.b = line.a + 1;
+  line.id = static_cast<long>(input.segments.size());
+  line.name = "wall";
+  input.points.push_back(a);
+  input.points.push_back(b);
+  input.segments.push_back(line);
+}
+
+/// A ring of eight chords to a circle, and two walls across it, which end on the circles between
+/// ends of chords.
+Input ring_with_walls(double out = 0) {
+  Input input;
+  testing::add_circle(input, {0, 0}, 1, 8);
+  testing::add_circle(input, {0, 0}, 2, 8);
+  input.holes.push_back({{0, 0}, 0, 0});
+  for (const double degrees : {30.0, 200.0})
+    add_line(input, at_angle(1 + out, degrees), at_angle(2 + out, degrees));
+  return input;
+}
+
+std::size_t regions_of(const Prepared& prepared) { return prepared.table.regions.size(); }
+
+bool has_note(const Report& report, const std::string& part) {
+  return std::any_of(report.notes.begin(), report.notes.end(), [&](const Note& note) {
+    return note.message.find(part) != std::string::npos;
+  });
+}
+
+TEST(MeetArcs, WallsThatEndOnArcsPartARing) {
+  const Input input = ring_with_walls();
+  const Result<Prepared> prepared = prepare(input);
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  EXPECT_EQ(regions_of(*prepared), 2U);
+  const Pslg& pslg = prepared->pslg;
+  EXPECT_EQ(pslg.points, input.points);  // bit for bit, and no others
+  EXPECT_EQ(pslg.segments.size(), 8U + 8 + 2 + 4);
+  for (const Segment& s : pslg.segments)
+    EXPECT_EQ(circle_of(pslg, s) == nullptr, pslg.names[s.name] == "wall");
+  EXPECT_TRUE(prepared->report.changes.empty());
+  Options strict;
+  strict.strict = true;
+  EXPECT_TRUE(prepare(input, strict));
+}
+
+TEST(MeetArcs, EndsOffByMoreThanRoundingAreTakenByWeldingAlone) {
+  const Input input = ring_with_walls(3e-8);
+  const Result<Prepared> as_drawn = prepare(input);
+  ASSERT_TRUE(as_drawn) << as_drawn.error().message;
+  EXPECT_EQ(regions_of(*as_drawn), 1U);
+  EXPECT_TRUE(has_note(as_drawn->report, "4 ends of lines are close to an arc and not on it"));
+  EXPECT_TRUE(has_note(as_drawn->report, "misses it by 3e-08: --weld 8e-09 closes such gaps"));
+  Options options;
+  options.weld = 8e-9;
+  const Result<Prepared> welded = prepare(input, options);
+  ASSERT_TRUE(welded) << welded.error().message;
+  EXPECT_EQ(regions_of(*welded), 2U);
+  EXPECT_EQ(welded->pslg.points, input.points);
+  EXPECT_EQ(welded->report.changes.size(), 4U);
+  EXPECT_FALSE(has_note(welded->report, "close to an arc"));
+}
+
+/// Between circles that are nearer than the tolerance of welding, with a line across.
+TEST(MeetArcs, WeldingTakesNoEndForAnotherArcsThanItsOwn) {
+  Input input;
+  testing::add_circle(input, {0, 0}, 1, 8);
+  testing::add_circle(input, {0, 0}, 1 + 1e-5, 8);
+  add_line(input, at_angle(1, 30), at_angle(1 + 1e-5, 30));
+  std::vector<Change> changes;
+  std::vector<Note> notes;
+  const auto met = meet_arcs(input, 1e-4, changes, notes);
+  ASSERT_TRUE(met);
+  EXPECT_EQ(met->segments.size(), 19U);  // one end for each circle
+  EXPECT_TRUE(changes.empty());
+}
+
+TEST(MeetArcs, RingsAndLinesGetEndsOfOthers) {
+  Input circle;
+  testing::add_circle(circle, {0, 0}, 1, 8);
+  Input input;
+  input.circles = circle.circles;
+  InputPolygon disc, slot;
+  disc.rings = {circle.points};
+  disc.circles = {std::vector<std::uint32_t>(8, 1)};
+  disc.material = "iron";
+  slot.rings = {{at_angle(1, 20), at_angle(1.5, 20), at_angle(1.5, 30), at_angle(1, 30)}};
+  slot.material = "copper";
+  InputLine contact;
+  contact.name = "contact";
+  contact.points = {circle.points[0], circle.points[1]};
+  contact.circles = {1, 0};
+  input.polygons = {disc, slot};
+  input.lines = {contact};
+  std::vector<Change> changes;
+  std::vector<Note> notes;
+  const auto met = meet_arcs(input, 0, changes, notes);
+  ASSERT_TRUE(met);
+  const std::vector<Point> between{slot.rings[0][0], slot.rings[0][3]};
+  const auto& ring = met->polygons[0].rings[0];
+  ASSERT_EQ(ring.size(), 10U);
+  EXPECT_EQ(std::vector<Point>(ring.begin() + 1, ring.begin() + 3), between);
+  EXPECT_EQ(met->polygons[0].circles[0], std::vector<std::uint32_t>(10, 1));
+  EXPECT_EQ(met->polygons[1].rings, slot.rings);
+  const auto& line = met->lines[0].points;
+  ASSERT_EQ(line.size(), 4U);
+  EXPECT_EQ(std::vector<Point>(line.begin() + 1, line.begin() + 3), between);
+}
+
+TEST(MeetArcs, ArcsThatNothingElseEndsOnStayAsTheyAre) {
+  Input input;
+  testing::add_circle(input, {0, 0}, 1, 8);
+  testing::add_circle(input, {0, 0}, 2, 7);
+  add_line(input, {-3, 0.3}, {3, 0.3});  // crosses both
+  std::vector<Change> changes;
+  std::vector<Note> notes;
+  EXPECT_FALSE(meet_arcs(input, 0, changes, notes));
+  EXPECT_TRUE(notes.empty());
+}
+
+}  // namespace
+}  // namespace cover
