@@ -7,6 +7,13 @@
 
 namespace cover {
 
+/// The same direction in [0, 360), so that -30 and 330 are one.
+inline double reduced_degrees(double degrees) {
+  double r = std::fmod(degrees, 360);
+  if (r < 0) r += 360;
+  return r < 360 ? r : 0;  // -1e-20 + 360 rounds up to 360
+}
+
 /// A turn counter-clockwise.
 struct Turn {
   double cosine = 1;
@@ -14,7 +21,7 @@ struct Turn {
 
   /// EXACT: quarters of a turn, so that what is drawn along the axes stays so
   static Turn by_degrees(double degrees) {
-    const double rest = std::fmod(degrees, 360), radians = Angle::degrees(rest).in_radians();
+    const double rest = reduced_degrees(degrees), radians = Angle::degrees(rest).in_radians();
     const Turn turn{std::cos(radians), std::sin(radians)};
     return std::fmod(rest, 90) == 0 ? Turn{std::round(turn.cosine), std::round(turn.sine)} : turn;
   }

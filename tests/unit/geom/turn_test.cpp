@@ -16,6 +16,17 @@ TEST(Turn, QuartersAreExact) {
   }
 }
 
+TEST(Turn, ADirectionIsOneHoweverItIsGiven) {
+  for (const double degrees : {330.0, 359.9, 195.0}) {
+    const Turn turn = Turn::by_degrees(degrees);
+    for (const double same : {degrees - 360, degrees + 360, degrees - 720}) {
+      EXPECT_EQ(Turn::by_degrees(same).cosine, turn.cosine) << same;
+      EXPECT_EQ(Turn::by_degrees(same).sine, turn.sine) << same;
+    }
+  }
+  EXPECT_EQ(reduced_degrees(-1e-20), 0);
+}
+
 TEST(Turn, OthersAreRounded) {
   const Turn turn = Turn::by_degrees(30);
   EXPECT_NEAR(turn.cosine, std::sqrt(3) / 2, 1e-15);

@@ -4,17 +4,11 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "geom/turn.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
 namespace {
-
-/// The same direction in [0, 360).
-double reduced(double degrees) {
-  double r = std::fmod(degrees, 360);
-  if (r < 0) r += 360;
-  return r < 360 ? r : 0;  // -1e-20 + 360 rounds up to 360
-}
 
 /// Even pieces of at most `step`; 1e-9 of one forgives the rounding of `angle / step`.
 double pieces(double angle, double step) { return std::max(1.0, std::ceil(angle / step - 1e-9)); }
@@ -28,7 +22,7 @@ double step_for_chord_error(double radius, double chord_error) {
 }
 
 Point point_on_circle(Point centre, double radius, double degrees) {
-  const double angle = reduced(degrees);
+  const double angle = reduced_degrees(degrees);
   const int quadrant = static_cast<int>(angle / 90);
   const double rest = std::fmod(angle, 90);
   // In the first octant sine and cosine are taken as they are, in the second they change roles.
@@ -44,8 +38,8 @@ void CurveCutter::add(const Arc& arc) {
   Circle& circle = circles_[{arc.centre.x, arc.centre.y, arc.radius}];
   circle.step = std::min(circle.step, arc.step);
   if (arc.full() && arc.from == 0) return;  // a plain circle has no ends
-  circle.ends.push_back(reduced(arc.from));
-  circle.ends.push_back(reduced(arc.to));
+  circle.ends.push_back(reduced_degrees(arc.from));
+  circle.ends.push_back(reduced_degrees(arc.to));
 }
 
 bool CurveCutter::cut(Circle& circle, std::size_t most) {
@@ -64,7 +58,7 @@ bool CurveCutter::cut(Circle& circle, std::size_t most) {
     }
     if (!(total <= static_cast<double>(most))) return false;
   }
-  for (double& angle : circle.angles) angle = reduced(angle);
+  for (double& angle : circle.angles) angle = reduced_degrees(angle);
   std::sort(circle.angles.begin(), circle.angles.end());
   circle.angles.erase(std::unique(circle.angles.begin(), circle.angles.end()), circle.angles.end());
   return true;
@@ -76,7 +70,7 @@ std::optional<std::vector<Point>> CurveCutter::points(const Arc& arc, std::size_
 
   const std::vector<double>& angles = circle.angles;
   const auto index = [&](double angle) {
-    const auto at = std::lower_bound(angles.begin(), angles.end(), reduced(angle));
+    const auto at = std::lower_bound(angles.begin(), angles.end(), reduced_degrees(angle));
     return static_cast<std::size_t>(at - angles.begin()) % angles.size();
   };
   const bool clockwise = arc.to < arc.from;
