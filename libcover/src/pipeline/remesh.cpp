@@ -13,6 +13,7 @@
 
 #include <fmt/core.h>
 
+#include <cover/option_ranges.hpp>
 #include <cover/regions.hpp>
 #include <cover/text.hpp>
 #include <cover/verify.hpp>
@@ -219,7 +220,7 @@ Status adopt(const TriangleSoup& onto, const Options& options, const Options& as
              Work& work) {
   const std::size_t cuts = adopt_cuts(work.pslg, work.table, onto);
   for (const PeriodicRule& rule : work.rules) {
-    const Result<SidesMatch> match = match_sides(work.pslg, work.table, rule);
+    const Result<SidesMatch> match = match_sides(work.pslg, work.table, rule, kAutoWeld);
     if (!match) return match.error();
     if (auto fault = unmatched(work.pslg, rule, *match))
       return Error{ErrorCode::other_mesh, std::move(fault->message), fault->where, {}};

@@ -9,7 +9,9 @@
 #include <cover/text.hpp>
 
 #include "base/numbers.hpp"
+#include "clean/ends/loose_ends.hpp"
 #include "cuts/cut_segments.hpp"
+#include "geom/box.hpp"
 #include "geom/foot.hpp"
 #include "geom/isometry.hpp"
 #include "geom/vector.hpp"
@@ -82,11 +84,40 @@ void SidesCompletion::tell(const PeriodicRule& rule, SegmentId s,
        points, std::move(refs)});
 }
 
+/// The size of both lines of a rule, as match_sides() takes it.
+double SidesCompletion::extent_of(const PeriodicRule& rule) const {
+  Box both;
+  for (const std::string& name : {rule.from, rule.to}) {
+    for (const VertexId v : find_line(pslg_, table_, name).vertices)
+      both.add(pslg_.points[v.index()]);
+  }
+  return both.extent();
+}
+
+/// How far the points without a match are from points of the other line, or where these are far,
+/// from the line: the widest of these gaps.
+double SidesCompletion::widest_gap(const PeriodicRule& rule, const SidesMatch& match) const {
+  const double small = kSmallGap * extent_of(rule);
+  const NamedLine from = find_line(pslg_, table_, rule.from),
+                  to = find_line(pslg_, table_, rule.to);
+  double widest = 0;
+  for (const Lost& lost : lost_) {
+    const bool is_from =
+        std::binary_search(match.from_alone.begin(), match.from_alone.end(), lost.vertex);
+    double gap = kInfinity;
+    for (const VertexId v : (is_from ? to : from).vertices)
+      gap = std::min(gap, length(pslg_.points[v.index()] - lost.image));
+    widest = std::max(widest, gap <= small ? gap : lost.distance);
+  }
+  return widest;
+}
+
 Error SidesCompletion::mismatch(const PeriodicRule& rule, const SidesMatch& match) const {
   auto worst = lost_;
   std::stable_sort(worst.begin(), worst.end(),
                    [](const Lost& x, const Lost& y) { return x.distance > y.distance; });
   const Lost& first = worst[0];
+  const double extent = extent_of(rule), widest = widest_gap(rule, match) / extent;
   const bool is_from = std::find(match.from_alone.begin(), match.from_alone.end(), first.vertex) !=
                        match.from_alone.end();
   std::vector<Point> where;
@@ -96,12 +127,16 @@ Error SidesCompletion::mismatch(const PeriodicRule& rule, const SidesMatch& matc
   return periodic_error(
       rule,
       fmt::format(
-          "the lines do not match: {} of '{}' comes to {}, which is {} from '{}'{}",
+          "the lines do not match: {} of '{}' comes to {}, which is {} from '{}'{}{}",
           describe(pslg_.points[first.vertex.index()]), is_from ? rule.from : rule.to,
           describe(first.image), describe_roughly(first.distance), is_from ? rule.to : rule.from,
           worst.size() == 1
               ? ""
-              : fmt::format("; {} more without a match", counted(worst.size() - 1, "point"))),
+              : fmt::format("; {} more without a match", counted(worst.size() - 1, "point")),
+          match.tolerance < widest * extent && widest <= kSmallGap
+              ? fmt::format("; {} moves points of one side by so much to the images of the other",
+                            weld_closing(widest))
+              : std::string()),
       std::move(where));
 }
 

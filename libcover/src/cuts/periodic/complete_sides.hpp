@@ -37,6 +37,8 @@ class SidesCompletion {
 
   void place(VertexId v, const Isometry& map, const NamedLine& line, double tolerance);
   void tell(const PeriodicRule& rule, SegmentId s, const std::vector<Point>& points);
+  [[nodiscard]] double extent_of(const PeriodicRule& rule) const;
+  [[nodiscard]] double widest_gap(const PeriodicRule& rule, const SidesMatch& match) const;
   [[nodiscard]] Error mismatch(const PeriodicRule& rule, const SidesMatch& match) const;
   [[nodiscard]] Error lone_segments(const PeriodicRule& rule, const SidesMatch& match) const;
 

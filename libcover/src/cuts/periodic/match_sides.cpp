@@ -91,7 +91,8 @@ Point centroid_of(const Pslg& pslg, const NamedLine& line) {
 /// Compares two lines.
 class Matcher {
  public:
-  Matcher(const Pslg& pslg, const PeriodicRule& rule, NamedLine from, NamedLine to)
+  Matcher(const Pslg& pslg, const PeriodicRule& rule, double tolerance, NamedLine from,
+          NamedLine to)
       : pslg_(pslg),
         rule_(rule),
         from_(std::move(from)),
@@ -99,7 +100,7 @@ class Matcher {
         find_to_(pslg.points, to_.vertices) {
     Box both = box_of(pslg, from_);
     both.include(box_of(pslg, to_));
-    match_.tolerance = kAutoWeld * both.extent();
+    match_.tolerance = tolerance * both.extent();
   }
 
   Result<SidesMatch> match() {
@@ -277,8 +278,8 @@ std::optional<Error> unmatched(const Pslg& pslg, const PeriodicRule& rule,
       rule, fmt::format("the edge from {} to {} has no partner", describe(a), describe(b)), {a, b});
 }
 
-Result<SidesMatch> match_sides(const Pslg& pslg, const RegionTable& table,
-                               const PeriodicRule& rule) {
+Result<SidesMatch> match_sides(const Pslg& pslg, const RegionTable& table, const PeriodicRule& rule,
+                               double tolerance) {
   NamedLine from = find_line(pslg, table, rule.from), to = find_line(pslg, table, rule.to);
   if (from.segments.empty()) return unknown_line(table, rule, rule.from);
   if (to.segments.empty()) return unknown_line(table, rule, rule.to);
@@ -294,12 +295,12 @@ Result<SidesMatch> match_sides(const Pslg& pslg, const RegionTable& table,
                                       describe(a), describe(b)),
                           {a, b});
   }
-  return Matcher(pslg, rule, std::move(from), std::move(to)).match();
+  return Matcher(pslg, rule, tolerance, std::move(from), std::move(to)).match();
 }
 
 Result<std::size_t> verify_periodic_sides(const Pslg& pslg, const RegionTable& table,
                                           const PeriodicRule& rule) {
-  const Result<SidesMatch> match = match_sides(pslg, table, rule);
+  const Result<SidesMatch> match = match_sides(pslg, table, rule, kAutoWeld);
   if (!match) return match.error();
   if (std::optional<Error> fault = unmatched(pslg, rule, *match)) return *std::move(fault);
   return match->vertices.size();

@@ -15,7 +15,7 @@ namespace cover {
 /// How two lines are images of each other.
 struct SidesMatch {
   Isometry map;                    ///< from the line PeriodicRule::from to PeriodicRule::to
-  double tolerance = 0;            ///< what counts as rounding
+  double tolerance = 0;            ///< how far off an image may be
   std::vector<SegmentPair> pairs;  ///< in the order of the segments of `from`; their rule is 0
   std::vector<std::array<VertexId, 2>> vertices;  ///< points and their images, by point
   std::vector<VertexId> from_alone;               ///< points of `from` without an image, in order
@@ -25,15 +25,15 @@ struct SidesMatch {
 
 /// Finds the lines that `rule` names, among interfaces, contacts, outlines and boundary markers,
 /// and the map that takes the one to the other, and compares their points and segments. Points
-/// match within 2^-30 of the size of both lines.
+/// match within `tolerance` times the size of both lines.
 ///
 /// A translation is found from the lines' extents, the axis of a mirror from their centroids; among
 /// maps that differ by rounding, the one with most images exact is taken.
 /// Errors: bad_option: unknown names; lines that share segments (as where a rotation takes a line
 ///         to itself); lines for which there is no such map
 /// Cost:   O(n log n)
-Result<SidesMatch> match_sides(const Pslg& pslg, const RegionTable& table,
-                               const PeriodicRule& rule);
+Result<SidesMatch> match_sides(const Pslg& pslg, const RegionTable& table, const PeriodicRule& rule,
+                               double tolerance);
 
 /// What `match` lacks, as a sentence with places; nothing if all points and segments of both lines
 /// have partners.

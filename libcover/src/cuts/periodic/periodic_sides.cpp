@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <cover/option_ranges.hpp>
+
 #include "clean/change_report.hpp"
 #include "cuts/cut_segments.hpp"
 #include "cuts/periodic/complete_sides.hpp"
@@ -25,14 +27,15 @@ bool has_same_sides(const RegionTable& x, const RegionTable& y) {
 
 /// Matches of all rules, with all points on both sides.
 Result<std::vector<SidesMatch>> match_all(Pslg& pslg, RegionTable& table,
-                                          const std::vector<PeriodicRule>& rules, Report& report) {
+                                          const std::vector<PeriodicRule>& rules, double tolerance,
+                                          Report& report) {
   SidesCompletion completion(pslg, table, report);
   // A point goes from line to line, so no more rounds are needed than there are rules.
   for (std::size_t round = 0; round <= rules.size() + 1; ++round) {
     std::vector<SidesMatch> matches;
     bool has_cut = false;
     for (const PeriodicRule& rule : rules) {
-      Result<SidesMatch> match = match_sides(pslg, table, rule);
+      Result<SidesMatch> match = match_sides(pslg, table, rule, tolerance);
       if (!match) return std::move(match).error();
       const Result<bool> cut = completion.complete(rule, *match);
       if (!cut) return cut.error();
@@ -59,7 +62,9 @@ Status join_periodic_sides(Pslg& pslg, RegionTable& table, const std::vector<Per
     if (Status good = check_rule(rule); !good) return good;
   }
   const std::size_t changes = report.changes.size();
-  Result<std::vector<SidesMatch>> matches = match_all(pslg, table, rules, report);
+  // What welding may move, for ends that are to be one, may move for ends that are to be images.
+  const double tolerance = std::max(kAutoWeld, options.weld.value_or(0));
+  Result<std::vector<SidesMatch>> matches = match_all(pslg, table, rules, tolerance, report);
   if (!matches) return std::move(matches).error();
   const bool has_moved = snap_sides(pslg, *matches, report.changes);
   if (options.strict && report.changes.size() > changes) {

@@ -153,6 +153,37 @@ TEST(PeriodicSides, WhatDoesNotMatchIsRefusedWithPlaces) {
   EXPECT_NE(refusal(input, periodic({wrong})), "");
 }
 
+/// An eighth of a ring, as other programs write it: with 6 decimals.
+TEST(PeriodicSides, SidesThatDecimalsPutOffMatchWithinWelding) {
+  Input input;
+  input.points = {{8, 0},
+                  {10, 0},
+                  {21.5, 0},
+                  {15.202796, 15.202796},
+                  {7.071068, 7.071068},
+                  {5.656854, 5.656854}};
+  for (const char* name : {"start", "start", "outer", "end", "end", "inner"}) {
+    const auto k = static_cast<std::uint32_t>(input.segments.size());
+    input.segments.push_back({k, (k + 1) % 6, 0, static_cast<long>(k), 0, name});
+  }
+  PeriodicRule rule = translation("start", "end");
+  rule.map = PeriodicRule::Map::rotation;
+  rule.angle = Angle::degrees(45);
+  Options options = periodic({rule});
+  const std::string message = refusal(input, options);
+  EXPECT_NE(message.find("which is 3.53e-07 from 'start'"), std::string::npos) << message;
+  EXPECT_NE(message.find("; --weld 3e-08 moves points of one side"), std::string::npos) << message;
+  options.weld = 3e-8;
+  const Result<Prepared> prepared = prepare(input, options);
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  EXPECT_EQ(prepared->pslg.periodic.size(), 2U);
+  EXPECT_EQ(prepared->report.changes.size(), 3U);
+  const std::vector<Point>& points = prepared->pslg.points;
+  for (const std::size_t k : {0U, 1U, 2U})
+    EXPECT_NEAR(points[5 - k].x, points[k].x * std::sqrt(0.5), 4e-15) << k;
+  EXPECT_TRUE(cover_mesh(input, options));
+}
+
 TEST(PeriodicSides, UnknownNamesAndSelfImagesAreRefused) {
   const Input input = cell(kSquare);
   EXPECT_NE(refusal(input, periodic({translation("left", "rihgt")})).find("did you mean 'right'?"),
