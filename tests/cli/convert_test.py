@@ -120,6 +120,13 @@ class Convert(Case):
             self.assertIn(f'{mesh}: pairs of points on periodic sides are left out: only the manifest, p.json, names', err)
             self.assertNotIn('$Periodic', (self.dir / 'q.msh').read_text())
 
+    def test_the_manual_counts_the_pairs_of_its_machine(self):
+        manual = (SAMPLES.parents[1] / 'libcover/docs/manual.md').read_text()
+        told = re.search(r'with (\d+) pairs of vertices.*?`cover mesh samples/data/(motor_pole.json) (.*?) -o', manual, re.DOTALL)
+        self.run_cover('mesh', SAMPLES / told[2], *told[3].split(), '-o', 'pole.json', '-q')
+        pairs = json.loads((self.dir / 'pole.json').read_text())['periodic'][0]['vertices']
+        self.assertEqual(len(pairs), int(told[1]))
+
     def test_not_ours(self):
         self.write('x.vtu', 'rubbish')
         _, err = self.run_cover('convert', 'x.vtu', '-o', 'e.vtm', code=5)
