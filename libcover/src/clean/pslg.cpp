@@ -2,7 +2,8 @@
 //
 //   gather -> weld, cut -> paint polygons -> drop what is hidden -> assemble -> seeds over polygons
 //
-// Before all that, arcs get ends of chords where other lines end on them.
+// Before all that, arcs get ends of chords where other lines end on them, and where their chords
+// would cross those of arcs beside them.
 // Even-odd parity is kept by every stage, so it is enough to count it at the end, on the very edges
 // that are handed on: no face is lost or doubled by rounding.
 // Tested by tests/unit/clean/pslg_test.cpp and soup_test.cpp.
@@ -20,6 +21,7 @@
 #include "base/faults/complaint.hpp"
 #include "base/faults/machine_memory.hpp"
 #include "base/words/and_more.hpp"
+#include "clean/arcs/crossing_chords.hpp"
 #include "clean/arcs/meet_arcs.hpp"
 #include "clean/change_report.hpp"
 #include "clean/check_input.hpp"
@@ -311,7 +313,9 @@ Result<Pslg> make_pslg(const Input& input, const Options& options, Report& repor
                  {}};
   }
   const auto met = meet_arcs(input, weld_of(input, options), report.changes, report.notes);
-  return make_pslg_of_chords(met ? *met : input, options, report, whole, team);
+  const Input& of_chords = met ? *met : input;
+  const auto parted = part_crossing_chords(of_chords, report.notes);
+  return make_pslg_of_chords(parted ? *parted : of_chords, options, report, whole, team);
 }
 
 }  // namespace cover

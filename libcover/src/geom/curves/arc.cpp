@@ -116,6 +116,24 @@ double ArcOver::share_of(Point p) const {
   return 0.5 + turn_ * std::atan2(cross(towards, to), dot(towards, to)) / (2 * half_angle_);
 }
 
+bool ArcOver::cuts_off(Point p) const {
+  return turn_ * cross(b_ - a_, p - a_) <= 0 && length(p - centre_) < radius_;
+}
+
+std::vector<Point> common_points(const ArcCircle& one, const ArcCircle& other) {
+  const Vector between = other.centre - one.centre;
+  const double d = length(between);
+  if (d == 0) return {};
+  // How far the chord that both have in common is from the first one's centre, and half of it.
+  const double to_chord = (d + (one.radius - other.radius) * ((one.radius + other.radius) / d)) / 2;
+  const double r = one.radius, size = std::max(r, other.radius);
+  if (std::abs(to_chord) > r + kOnCircle * size) return {};
+  const double half = std::sqrt(std::max(0.0, (r - to_chord) * (r + to_chord)));
+  const Vector unit = (1 / d) * between;
+  const Point middle = one.centre + to_chord * unit;
+  return {middle + half * left_normal(unit), middle + (-half) * left_normal(unit)};
+}
+
 bool has_positive_jacobian(const CurvedTriangle& triangle) {
   for (const Point& p : triangle) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) return false;

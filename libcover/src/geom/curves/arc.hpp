@@ -61,6 +61,8 @@ class ArcOver {
   /// Which share of the way along the arc leads to `p`, a point of the circle: from 0 to 1 on the
   /// arc, below or above these beside it.
   [[nodiscard]] double share_of(Point p) const;
+  /// Whether `p` lies on the chord or between it and the arc.
+  [[nodiscard]] bool cuts_off(Point p) const;
 
  private:
   Point a_, b_;
@@ -69,6 +71,10 @@ class ArcOver {
   double half_angle_ = 0;  ///< from the middle to an end
   double turn_ = 1;        ///< 1: counter-clockwise from a to b
 };
+
+/// Where two circles cross, or touch up to rounding: two points, or none. That place is known up to
+/// the root of rounding where they touch.
+std::vector<Point> common_points(const ArcCircle& one, const ArcCircle& other);
 
 /// A triangle of second order: corners, then the middles of its edges from the first one on.
 using CurvedTriangle = std::array<Point, 6>;

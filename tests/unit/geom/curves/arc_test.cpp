@@ -40,6 +40,36 @@ TEST(ArcOver, ALargeCircleLosesNoDigits) {
   EXPECT_NEAR(arc.middle().x, 0, 1e-15);
 }
 
+TEST(CommonPoints, AreWhereCirclesCrossOrTouch) {
+  const ArcCircle circle{{0, 0}, 1};
+  const std::vector<Point> crossing = common_points(circle, {{1, 0}, 1});
+  ASSERT_EQ(crossing.size(), 2U);
+  for (const Point p : crossing) {
+    EXPECT_NEAR(p.x, 0.5, 1e-15);
+    EXPECT_NEAR(std::abs(p.y), std::sqrt(0.75), 1e-15);
+  }
+  for (const ArcCircle& touching : {ArcCircle{{-0.3, 0}, 0.7}, ArcCircle{{-1.1, 0}, 0.1}}) {
+    const std::vector<Point> points = common_points(circle, touching);
+    ASSERT_EQ(points.size(), 2U);
+    EXPECT_NEAR(points[0].x, -1, 1e-6);
+    EXPECT_NEAR(points[1].y, 0, 1e-6);
+  }
+  for (const ArcCircle& apart : {ArcCircle{{0, 0}, 1}, ArcCircle{{0, 0}, 0.999},
+                                 ArcCircle{{1e-3, 0}, 0.99}, ArcCircle{{5, 5}, 1}})
+    EXPECT_TRUE(common_points(circle, apart).empty());
+}
+
+TEST(ArcOver, CutsOffWhatLiesBetweenItAndItsChord) {
+  for (const bool is_turned : {false, true}) {
+    const Point a = on_unit(0.3), b = on_unit(1.1);
+    const ArcOver arc({{0, 0}, 1}, is_turned ? b : a, is_turned ? a : b);
+    EXPECT_TRUE(arc.cuts_off({0.99 * std::cos(0.7), 0.99 * std::sin(0.7)}));
+    EXPECT_FALSE(arc.cuts_off({1.01 * std::cos(0.7), 1.01 * std::sin(0.7)}));
+    EXPECT_FALSE(arc.cuts_off({0.9 * std::cos(0.7), 0.9 * std::sin(0.7)}));
+    EXPECT_FALSE(arc.cuts_off({0.99 * std::cos(1.3), 0.99 * std::sin(1.3)}));
+  }
+}
+
 /// The Jacobian at a place, from the shape functions and in long double: another way than the one
 /// that is tested.
 long double jacobian_at(const CurvedTriangle& t, long double r, long double s) {

@@ -1,0 +1,196 @@
+// Tested by tests/unit/clean/arcs/crossing_chords_test.cpp.
+#include "clean/arcs/crossing_chords.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include <cover/text.hpp>
+
+#include "clean/arcs/cut_chords.hpp"
+#include "geom/box.hpp"
+#include "geom/curves/arc.hpp"
+#include "geom/predicates.hpp"
+#include "geom/search/box_tree.hpp"
+#include "geom/vector.hpp"
+
+namespace cover {
+namespace {
+
+/// How often a chord is halved at most. Arcs so near that this does not part them are taken for a
+/// mistake, such as one arc drawn twice with two radii, not worth thousands of chords.
+constexpr int kMostHalvings = 4;
+/// Of the way along a chord: how well it is known where circles touch, the root of rounding.
+constexpr double kTouching = 0x1p-20;
+
+/// Whether two segments without a common end have a point in common; not so if they lie on one
+/// line.
+bool cross_each_other(const InputChord& c, const InputChord& d) {
+  if (c.a == d.a || c.a == d.b || c.b == d.a || c.b == d.b) return false;
+  const auto parts = [](const InputChord& line, const InputChord& ends) {
+    const Sign one = orientation(line.a, line.b, ends.a),
+               other = orientation(line.a, line.b, ends.b);
+    return one != other;
+  };
+  return parts(c, d) && parts(d, c);
+}
+
+class ChordParter {
+ public:
+  explicit ChordParter(const Input& input) : input_(input), of_circle_(input.circles.size() + 1) {
+    for (const InputChord& chord : chords_of(input)) {
+      const auto origin = static_cast<std::uint32_t>(chords_.size());
+      chords_.push_back(chord);
+      pieces_.push_back({chord, origin, true});
+      of_circle_[chord.circle].push_back(origin);
+    }
+  }
+
+  void run() {
+    for (int round = 0;; ++round) {
+      const std::vector<bool> is_crossing = find_crossing(round == 0);
+      left_ = static_cast<std::size_t>(std::count(is_crossing.begin(), is_crossing.end(), true));
+      if (left_ == 0 || round == kMostHalvings) return;
+      halve(is_crossing);
+    }
+  }
+
+  [[nodiscard]] ChordCuts cuts() const {
+    ChordCuts cuts;
+    for (const Piece& piece : pieces_) {
+      const InputChord& whole = chords_[piece.origin];
+      for (const Point p : {piece.chord.a, piece.chord.b}) {
+        if (p != whole.a && p != whole.b) cuts[whole].push_back(p);
+      }
+    }
+    for (auto& [whole, points] : cuts) {
+      const ArcOver arc = arc_over(whole);
+      std::sort(points.begin(), points.end(), [&](Point p, Point q) {
+        return std::pair(arc.share_of(p), p) < std::pair(arc.share_of(q), q);
+      });
+      points.erase(std::unique(points.begin(), points.end()), points.end());
+    }
+    return cuts;
+  }
+
+  void tell(std::size_t halved, std::vector<Note>& notes) const {
+    if (where_.empty()) return;
+    notes.push_back(
+        {Note::Kind::warning, kVoid,
+         fmt::format(
+             "{} crossed chords of other arcs, though their arcs do not meet, the first at {}: {} "
+             "cut on {}{}; finer chords keep them apart (a smaller --chord-angle or "
+             "--chord-error of DXF, chord_error of JSON)",
+             counted(where_.size(), "chord"), describe(where_.front()),
+             halved == 1 ? "1 was" : fmt::format("{} were", halved),
+             halved == 1 ? "its arc" : "their arcs",
+             left_ == 0 ? std::string(", and no longer cross")
+                        : fmt::format(", of whose pieces {} still cross", left_)),
+         where_});
+  }
+
+ private:
+  /// A chord, or a piece of one after halving.
+  struct Piece {
+    InputChord chord;
+    std::uint32_t origin = 0;  ///< index into chords_
+    bool is_new = false;       ///< nobody has looked yet whether it crosses others
+  };
+
+  [[nodiscard]] ArcOver arc_over(const InputChord& chord) const {
+    return {input_.circles[chord.circle - 1], chord.a, chord.b};
+  }
+
+  /// By piece: whether it is to be halved.
+  std::vector<bool> find_crossing(bool is_first) {
+    std::vector<Box> boxes;
+    boxes.reserve(pieces_.size());
+    for (const Piece& piece : pieces_)
+      boxes.push_back(box_of(std::array{piece.chord.a, piece.chord.b}));
+    const BoxTree tree(boxes);
+    std::vector<bool> found(pieces_.size(), false);
+    for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
+      if (!pieces_[k].is_new) continue;
+      tree.visit(boxes[k], [&](std::uint32_t j) {
+        if (j == k || (pieces_[j].is_new && j < k)) return;
+        look(k, j, found);
+      });
+    }
+    for (Piece& piece : pieces_) piece.is_new = false;
+    for (std::size_t k = 0; is_first && k < pieces_.size(); ++k) {
+      if (found[k]) where_.push_back(midpoint(pieces_[k].chord.a, pieces_[k].chord.b));
+    }
+    return found;
+  }
+
+  /// Whether what is drawn of two circles meets. Where it does, chords cross too, though not always
+  /// those below the very place, and that is as it should be.
+  bool do_arcs_meet(std::uint32_t one, std::uint32_t other) {
+    const auto [known, is_new] = do_meet_.try_emplace(std::minmax(one, other), false);
+    if (!is_new) return known->second;
+    const auto is_drawn = [&](std::uint32_t circle, Point p) {
+      return std::any_of(of_circle_[circle].begin(), of_circle_[circle].end(),
+                         [&](std::uint32_t k) {
+                           const double share = arc_over(chords_[k]).share_of(p);
+                           return share >= -kTouching && share <= 1 + kTouching;
+                         });
+    };
+    for (const Point p : common_points(input_.circles[one - 1], input_.circles[other - 1]))
+      known->second |= is_drawn(one, p) && is_drawn(other, p);
+    return known->second;
+  }
+
+  void look(std::uint32_t k, std::uint32_t j, std::vector<bool>& found) {
+    const InputChord &c = pieces_[k].chord, &d = pieces_[j].chord;
+    if (c.circle == d.circle || !cross_each_other(c, d)) return;
+    if (do_arcs_meet(c.circle, d.circle)) return;
+    const ArcOver over_c = arc_over(c), over_d = arc_over(d);
+    const bool by_c = over_c.cuts_off(d.a) || over_c.cuts_off(d.b);
+    const bool by_d = over_d.cuts_off(c.a) || over_d.cuts_off(c.b);
+    if (by_c || !by_d) found[k] = true;
+    if (by_d || !by_c) found[j] = true;
+  }
+
+  void halve(const std::vector<bool>& is_crossing) {
+    for (std::size_t k = 0; k < is_crossing.size(); ++k) {
+      if (!is_crossing[k]) continue;
+      const Piece whole = pieces_[k];
+      const Point middle = arc_over(whole.chord).middle();
+      const auto piece = [&](Point p) {
+        InputChord chord = whole.chord;
+        chord.a = std::min(p, middle);
+        chord.b = std::max(p, middle);
+        return Piece{chord, whole.origin, true};
+      };
+      pieces_[k] = piece(whole.chord.a);
+      pieces_.push_back(piece(whole.chord.b));
+    }
+  }
+
+  const Input& input_;
+  std::vector<InputChord> chords_;  ///< as the input has them
+  std::vector<Piece> pieces_;
+  std::vector<std::vector<std::uint32_t>> of_circle_;                ///< by its number: chords
+  std::map<std::pair<std::uint32_t, std::uint32_t>, bool> do_meet_;  ///< by two numbers of circles
+  std::vector<Point> where_;  ///< the middles of the chords that crossed at first
+  std::size_t left_ = 0;      ///< pieces that still cross
+};
+
+}  // namespace
+
+std::optional<Input> part_crossing_chords(const Input& input, std::vector<Note>& notes) {
+  if (input.circles.empty()) return std::nullopt;
+  ChordParter parter(input);
+  parter.run();
+  const ChordCuts cuts = parter.cuts();
+  parter.tell(cuts.size(), notes);
+  if (cuts.empty()) return std::nullopt;
+  return cut_chords(input, cuts);
+}
+
+}  // namespace cover

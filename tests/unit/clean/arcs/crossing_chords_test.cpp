@@ -1,0 +1,65 @@
+#include "clean/arcs/crossing_chords.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include <cover/cover_mesh.hpp>
+
+#include "geom/curves/arc.hpp"
+#include "support/inputs/arc_devices.hpp"
+
+namespace cover {
+namespace {
+
+constexpr double kHalfAChord = 3.14159265358979 / 72;
+
+/// Two circles about one centre, of 72 chords, those of the inner one turned.
+Input two_circles(double inner, double turn = kHalfAChord) {
+  Input input;
+  testing::add_circle(input, {0, 0}, 1, 72, "outer");
+  testing::add_circle(input, {0, 0}, inner, 72, "inner", turn);
+  return input;
+}
+
+TEST(CrossingChords, CirclesSideBySideHaveOneRegionBetweenThem) {
+  const Input input = two_circles(0.9995);  // a chord is 0.00095 off its arc
+  const Result<Prepared> prepared = prepare(input);
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  EXPECT_EQ(prepared->table.regions.size(), 2U);
+  // The outer ones are halved once, the inner ones not at all.
+  EXPECT_EQ(prepared->pslg.segments.size(), 72U * 3);
+  for (const Segment& s : prepared->pslg.segments) EXPECT_NE(circle_of(prepared->pslg, s), nullptr);
+  EXPECT_TRUE(prepared->report.changes.empty());
+  ASSERT_FALSE(prepared->report.notes.empty());
+  const Note& note = prepared->report.notes[0];
+  EXPECT_EQ(note.kind, Note::Kind::warning);
+  EXPECT_TRUE(note.message.starts_with("72 chords crossed chords of other arcs, though"))
+      << note.message;
+  EXPECT_NE(note.message.find("72 were cut on their arcs, and no longer cross"), std::string::npos)
+      << note.message;
+  EXPECT_NE(note.message.find("a smaller --chord-angle"), std::string::npos) << note.message;
+  EXPECT_EQ(note.where.size(), 72U);
+}
+
+TEST(CrossingChords, CirclesThatAreNearlyOneAreToldAsCrossing) {
+  const Input input = two_circles(1 - 1e-7, kHalfAChord / 3);
+  std::vector<Note> notes;
+  ASSERT_TRUE(part_crossing_chords(input, notes));
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_NE(notes[0].message.find(", of whose pieces "), std::string::npos) << notes[0].message;
+}
+
+TEST(CrossingChords, ArcsThatMeetOrLieApartAreLeftAlone) {
+  std::vector<Note> notes;
+  EXPECT_FALSE(part_crossing_chords(two_circles(0.99), notes));
+  Input across;  // circles that cross, and two that touch
+  testing::add_circle(across, {0, 0}, 1, 12);
+  testing::add_circle(across, {1.2, 0.1}, 1, 17);
+  testing::add_circle(across, {-0.5, 0}, 0.5, 6);
+  EXPECT_FALSE(part_crossing_chords(across, notes));
+  EXPECT_TRUE(notes.empty());
+}
+
+}  // namespace
+}  // namespace cover
