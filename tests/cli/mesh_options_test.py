@@ -390,6 +390,31 @@ LOOKUP_TABLE default
         _, err = self.run_cover('mesh', 'c.json', '-o', 'd.vtu', '--size-at', 'anod=0.1', code=2)
         self.assertIn("did you mean 'anode'?", err)
 
+    def pieces_of(self, line, *words):
+        """The lengths of a line's edges."""
+        self.run_cover('mesh', *words, '-o', 'p.mesh', '-o', 'p.json', '-q')
+        lines = (self.dir / 'p.mesh').read_text().split('\n')
+        first = lines.index('Vertices') + 2
+        at = [[float(x) for x in row.split()[:2]] for row in lines[first:first + int(lines[first - 1])]]
+        edges = [edge for known in json.loads((self.dir / 'p.json').read_text())['lines']
+                 if known['name'] == line for edge in known['edges']]
+        return [math.dist(at[a], at[b]) for a, b in edges]
+
+    def test_a_line_in_equal_pieces(self):
+        """As the manual says of sliding bands."""
+        corners = [[0, 0], [10, 0], [10, 3], [0, 3], [0, 1], [10, 1], [4, 3]]
+        self.write('strip.json', json.dumps({'points': corners, 'segments': [
+            [0, 1], [1, 5], [5, 2], [2, 6], [6, 3], [3, 4], [4, 0], {'points': [4, 5], 'name': 'band'}]}))
+        for count in 3, 7, 33:
+            lengths = self.pieces_of('band', 'strip.json', '--split-interfaces', '--size-at', f'band={10 / count:.6g}')
+            self.assertEqual(len(lengths), count)
+            self.assertLess(max(lengths) - min(lengths), 1e-12)
+        self.write('half.json', json.dumps({'points': [[1, 0], [-1, 0]], 'segments': [
+            [1, 0], {'points': [0, 1], 'arc': {'centre': [0, 0], 'chords': 9}, 'name': 'band'}]}))
+        lengths = self.pieces_of('band', 'half.json')
+        self.assertEqual(len(lengths), 9)
+        self.assertLess(max(lengths) - min(lengths), 1e-12)
+
     def test_a_contact_is_no_region(self):
         _, err = self.run_cover('mesh', SAMPLES / 'tft.json', '-o', 'd.vtu', '--size', 'gate_contact=2', code=2)
         self.assertIn('an interface or contact has it: ask for a size at that (--size-at)', err)
