@@ -20,12 +20,14 @@ namespace {
 constexpr double kFall = 0.85;
 constexpr double kNoSize = kInfinity;
 
-/// The mean length of the sides at each vertex; infinite where there are none.
-std::vector<double> spacing_of(const RegionBoundary& boundary) {
+/// The mean length of the sides at each vertex, by side where `lengths` are given; infinite where
+/// there are none.
+std::vector<double> spacing_of(const RegionBoundary& boundary, std::span<const double> lengths) {
   std::vector<double> sum(boundary.points.size(), 0);
   std::vector<int> count(boundary.points.size(), 0);
-  for (const auto& [a, b] : boundary.sides) {
-    const double l = length(boundary.points[b] - boundary.points[a]);
+  for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
+    const auto [a, b] = boundary.sides[s];
+    const double l = lengths.empty() ? length(boundary.points[b] - boundary.points[a]) : lengths[s];
     sum[a] += l;
     sum[b] += l;
     ++count[a];
@@ -80,15 +82,16 @@ SizeFunction background_of(const RegionBoundary& boundary, const Options& option
 }
 
 SizeField::SizeField(const RegionBoundary& boundary, const Triangulation& cdt,
-                     std::optional<double> growth, SizeFunction background, VertexId first_cut)
+                     std::optional<double> growth, SizeFunction background,
+                     const BeforeCuts& before)
     : slope_(growth.value_or(Options::kGrowth) - 1),
       largest_(boundary.size > 0 ? boundary.size : kNoSize),
       background_(std::move(background)) {
   const double longest_edge = box_of(boundary.points).diagonal();
   if (!growth && !background_ && boundary.size_at.empty() && largest_ >= longest_edge) return;
-  at_ = spacing_of(boundary);
+  at_ = spacing_of(boundary, before.lengths);
   for (std::size_t v = 0; v < at_.size(); ++v) {
-    if (!boundary.vertices.empty() && !(boundary.vertices[v] < first_cut)) at_[v] = kNoSize;
+    if (!boundary.vertices.empty() && !(boundary.vertices[v] < before.first_cut)) at_[v] = kNoSize;
   }
   least_.assign(at_.size(), 0);
   for (std::uint32_t v = 0; v < at_.size(); ++v) {

@@ -22,6 +22,12 @@ SizeFunction smaller_of(SizeFunction a, SizeFunction b);
 /// RegionBoundary::size_function.
 SizeFunction background_of(const RegionBoundary& boundary, const Options& options);
 
+/// What was before sides were cut: neither cuts nor the lengths of pieces are wishes.
+struct BeforeCuts {
+  VertexId first_cut{kNone};          ///< vertices from this one on are cuts
+  std::span<const double> lengths{};  ///< by side, of what it is a piece of; empty: its own
+};
+
 /// h(x): the region's own size or that of the background, the smaller, or less near vertices whose
 /// size is smaller, from where it grows by (growth - 1) per unit of distance: edges that follow
 /// each other then grow by that ratio.
@@ -38,14 +44,13 @@ class SizeField {
 
   /// A field without a wish: is_active() is false.
   SizeField() = default;
-  /// The lengths of sides do not count at vertices from `first_cut` on. Where `background` is not
-  /// finite or not above zero, there is no wish.
+  /// Where `background` is not finite or not above zero, there is no wish.
   ///
   /// REQUIRES: `cdt` has the points of `boundary`, maybe in another frame, in which `background`
   ///           then is too
   /// Cost:     O(n log n)
   SizeField(const RegionBoundary& boundary, const Triangulation& cdt, std::optional<double> growth,
-            SizeFunction background = {}, VertexId first_cut = VertexId{kNone});
+            SizeFunction background = {}, const BeforeCuts& before = {});
 
   /// The same, and no wish either where one size is asked for that no edge of the triangulation
   /// exceeds: what is made of that without sizes has shorter edges still, and better angles.

@@ -2,6 +2,7 @@
 #include "cuts/before_meshing/segment_wishes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "cdt/cdt.hpp"
@@ -20,6 +21,7 @@ SegmentWishes::SegmentWishes(const Pslg& pslg, const Options& options, VertexId 
     : pslg_(&pslg),
       options_(&options),
       first_cut_(first_cut),
+      whole_(pslg, first_cut.index()),
       least_nu_(options.split_interfaces->supplement().in_radians() - kNuRounding),
       is_right_(*options.split_interfaces == Angle::degrees(90)),
       wishes_(pslg.segments.size()),
@@ -46,9 +48,25 @@ std::optional<BoundaryFault> SegmentWishes::add(RegionBoundary& boundary) {
   return std::nullopt;
 }
 
+std::vector<double> SegmentWishes::whole_lengths(const RegionBoundary& boundary) const {
+  std::vector<double> lengths;
+  for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
+    const auto& [a, b] = boundary.sides[s];
+    const SegmentId segment = boundary.segments[s];
+    const auto [from, to] = segment == kHullSide
+                                ? std::array{boundary.points[a], boundary.points[b]}
+                                : whole_.ends(segment);
+    lengths.push_back(length(to - from));
+  }
+  return lengths;
+}
+
 bool SegmentWishes::grade(RegionBoundary& boundary, const Triangulation& cdt) const {
+  // Only who asks for a growth wants the sides beside a short piece, cut at a foot, graded from it.
+  std::vector<double> lengths;
+  if (!options_->growth) lengths = whole_lengths(boundary);
   const SizeField field(boundary, cdt, options_->growth, background_of(boundary, *options_),
-                        first_cut_);
+                        {.first_cut = first_cut_, .lengths = lengths});
   if (!field.is_active()) return false;
   boundary.size_at.resize(boundary.points.size());
   for (std::uint32_t v = 0; v < boundary.points.size(); ++v) boundary.size_at[v] = field.at(v);

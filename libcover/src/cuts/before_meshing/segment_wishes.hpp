@@ -12,6 +12,7 @@
 
 #include "cdt/region_cdt.hpp"
 #include "cuts/before_meshing/narrow_strips.hpp"
+#include "cuts/whole_segments.hpp"
 #include "region/region_boundary.hpp"
 #include "sizes/segment_sizes.hpp"
 
@@ -42,7 +43,8 @@ struct SegmentWish {
 /// The wishes for all segments.
 class SegmentWishes {
  public:
-  /// Vertices from `first_cut` on are cuts, whose distances are no wish.
+  /// Vertices from `first_cut` on are cuts, whose distances are no wish; lengths of pieces are one
+  /// with Options::growth alone.
   ///
   /// REQUIRES: Options::split_interfaces; all arguments outlive this
   SegmentWishes(const Pslg& pslg, const Options& options, VertexId first_cut);
@@ -66,6 +68,8 @@ class SegmentWishes {
 
  private:
   [[nodiscard]] Point at(VertexId v) const { return pslg_->points[v.index()]; }
+  /// By side, the length of the segment that it is a piece of.
+  [[nodiscard]] std::vector<double> whole_lengths(const RegionBoundary& boundary) const;
   /// Writes the graded sizes to `boundary`. False if it has no wish.
   bool grade(RegionBoundary& boundary, const Triangulation& cdt) const;
   /// Adds that a side is seen from `apex` at pi - nu, if that is too much.
@@ -75,6 +79,7 @@ class SegmentWishes {
   const Pslg* pslg_;
   const Options* options_;
   VertexId first_cut_;
+  WholeSegments whole_;  ///< before these cuts
   double least_nu_;
   bool is_right_;  ///< right angles are asked for
   std::vector<SegmentWish> wishes_;

@@ -13,6 +13,7 @@
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
+#include "support/inputs/arc_devices.hpp"
 #include "support/inputs/inputs.hpp"
 #include "support/inputs/shapes.hpp"
 #include "target/side_limit.hpp"
@@ -163,6 +164,25 @@ TEST(SplitInterfaces, GradesSegmentsThatArePastAFineOne) {
     opposite += a.y == 0 && b.y == 0 ? 1 : 0;
   }
   EXPECT_GT(opposite, 2U);  // pieces of the lower side, which does not meet the corner
+}
+
+TEST(SplitInterfaces, ACoarseSizeCutsNoMoreThanNone) {
+  const auto cut_ring = [](double size) {  // a ring between circles of 28 and 26 chords
+    Input ring;
+    add_circle(ring, {0, 0}, 24.75, 28);
+    add_circle(ring, {0, 0}, 25.25, 26);
+    ring.holes.push_back({0, 0});
+    Regions regions = regions_of(ring);
+    Options options;
+    options.split_interfaces = Angle::degrees(100);
+    if (size > 0) options.sizes = {{"", size, false}};
+    std::vector<Note> notes;
+    EXPECT_TRUE(split_interfaces(regions.pslg, regions.table, options, notes));
+    return regions.pslg.points.size();
+  };
+  EXPECT_GT(cut_ring(0), 54);
+  EXPECT_EQ(cut_ring(50), cut_ring(0));
+  EXPECT_LT(cut_ring(3), 3 * cut_ring(0));
 }
 
 TEST(SplitInterfaces, CutsStackedThinLayersOnceAndForAll) {
