@@ -78,8 +78,9 @@ void MeshWithUndo::link_all(const ConformingMesh& mesh) {
   }
 }
 
-/// Flips what is not locally Delaunay.
+/// Flips what is not locally Delaunay, unless that brings in a triangle beyond the worst.
 void MeshWithUndo::make_delaunay() {
+  const auto beyond = [&](const Triangle& t) { return cost_of(t) >= kBeyondWorst ? 1 : 0; };
   std::vector<std::uint32_t> waiting(triangles_.size());
   for (std::uint32_t t = 0; t < waiting.size(); ++t) waiting[t] = t;
   while (!waiting.empty()) {
@@ -103,6 +104,7 @@ void MeshWithUndo::make_delaunay() {
                  {s.line[i.next()], kOnNoLine, o.line[j.previous()]},
                  s.region,
                  0};
+      if (beyond(x) + beyond(y) > beyond(s) + beyond(o)) continue;
       triangles_[t] = x, triangles_[u] = y;
       link(x.n[0], q, a, t);
       link(y.n[0], p, b, u);

@@ -71,6 +71,27 @@ void expect_delaunay(const MeshWithUndo& mesh) {
   EXPECT_NEAR(area, 2, 1e-12);
 }
 
+// Its Delaunay triangulation has an angle of 153 degrees at (0, 0), the other one none above 105.
+TEST(MeshWithUndo, BeginsWithoutTrianglesBeyondTheWorstThatTheMeshDoesNotHave) {
+  ConformingMesh quadrilateral;
+  quadrilateral.points = {{0, 0}, {10, 0}, {1, 2}, {0, -2}};
+  quadrilateral.line.assign(4, kFixedVertices);
+  quadrilateral.lines = {{{0, 0}, {1, 2}}};
+  quadrilateral.pieces = {{0, 2, 1}, {2, 1, 1}, {1, 3, 1}, {3, 0, 1}};
+  quadrilateral.triangles = {{0, 1, 2}, {0, 3, 1}};
+  quadrilateral.region = {0, 0};
+  const auto shape_with = [&](double worst_cot) {
+    WantedAngles wanted;
+    wanted.worst_cot = worst_cot;
+    return shape_of(MeshWithUndo(quadrilateral, {wanted}));
+  };
+  const Shape as_it_was{{{0, 1, 2}, 0}, {{0, 3, 1}, 0}}, delaunay{{{0, 3, 2}, 0}, {{1, 2, 3}, 0}};
+  EXPECT_EQ(shape_with(-kInfinity), delaunay);
+  EXPECT_EQ(shape_with(-3), delaunay);      // 162 degrees
+  EXPECT_EQ(shape_with(-0.5), as_it_was);   // 117 degrees
+  EXPECT_EQ(shape_with(-0.125), delaunay);  // 97 degrees: both have one beyond it
+}
+
 // The foot of a vertex hardly beside a piece is rounded to its other side.
 TEST(MeshWithUndo, NoVertexIsSwallowedByTheHoleOfAnotherOne) {
   ConformingMesh start;
