@@ -324,14 +324,7 @@ class Page {
     BoxMethod sum;
     double area = 0;
     for (const RegionReport& region : report_.regions) {
-      sum.obtuse_sides += region.box.obtuse_sides;
-      sum.non_delaunay_edges += region.box.non_delaunay_edges;
-      sum.negative_couplings += region.box.negative_couplings;
-      sum.negative_inside += region.box.negative_inside;
-      sum.negative_encroached += region.box.negative_encroached;
-      sum.negative_forced += region.box.negative_forced;
-      sum.negative_given_up += region.box.negative_given_up;
-      sum.box_area += region.box.box_area;
+      sum += region.box;
       area += region.quality.area;
     }
     const auto row = [&](std::string_view what, const std::string& value) {

@@ -116,17 +116,16 @@ bool may_be_asked_for_boxes(const Report& report) {
 std::string couplings_row(const Report& report) {
   constexpr std::size_t kGivenUp = 3;
   BoxMethod sum;
+  std::size_t forced = 0, given_up = 0;
   std::string places;
   bool has_layers = false;
   for (const RegionReport& region : report.regions) {
-    sum.negative_couplings += region.box.negative_couplings;
-    sum.negative_inside += region.box.negative_inside;
-    sum.negative_encroached += region.box.negative_encroached;
+    sum += region.box;
     has_layers = has_layers || !region.layers.empty();
     for (const NegativeCoupling& c : region.couplings) {
       const bool is_forced = c.kind == NegativeCoupling::Kind::forced;
       if (!is_forced && c.kind != NegativeCoupling::Kind::given_up) continue;
-      if (++(is_forced ? sum.negative_forced : sum.negative_given_up) > kGivenUp) continue;
+      if (++(is_forced ? forced : given_up) > kGivenUp) continue;
       places += fmt::format("\n                         {}: from {} to {}, region {}",
                             is_forced ? "forced" : "given up", cover::describe(c.a),
                             cover::describe(c.b), region.id.value());

@@ -65,6 +65,9 @@ struct BoxMethod {
   std::size_t negative_forced = 0;      ///< those on other sides that the bound provably forces
   std::size_t negative_given_up = 0;    ///< those on any others: given up for the angle
   double box_area = 0;                  ///< sum of |e| d_e / 2 with unsigned distances
+
+  /// Adds what another region, or another part of this one, has.
+  BoxMethod& operator+=(const BoxMethod& other);
 };
 
 /// An edge with a negative coupling in one region.

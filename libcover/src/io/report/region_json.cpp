@@ -140,14 +140,7 @@ RegionReport sum_of(const Report& report) {
     sum.nu_bound = std::min(sum.nu_bound, region.nu_bound);
     sum.forced_above_120 += region.forced_above_120;
     sum.forced_above_150 += region.forced_above_150;
-    sum.box.obtuse_sides += region.box.obtuse_sides;
-    sum.box.non_delaunay_edges += region.box.non_delaunay_edges;
-    sum.box.negative_couplings += region.box.negative_couplings;
-    sum.box.negative_inside += region.box.negative_inside;
-    sum.box.negative_encroached += region.box.negative_encroached;
-    sum.box.negative_forced += region.box.negative_forced;
-    sum.box.negative_given_up += region.box.negative_given_up;
-    sum.box.box_area += region.box.box_area;
+    sum.box += region.box;
   }
   return sum;
 }

@@ -44,11 +44,6 @@ BoxMethod measure_some_boxes(std::span<const Point> points, std::span<const Inde
   return box;
 }
 
-void merge(BoxMethod& sum, const BoxMethod& part) {
-  sum.box_area += part.box_area;
-  sum.obtuse_sides += part.obtuse_sides;
-  sum.non_delaunay_edges += part.non_delaunay_edges;
-}
 }  // namespace
 
 Opposites opposites_of(std::span<const Point> points, std::span<const IndexTriple> triangles,
@@ -78,7 +73,7 @@ BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTrip
     parts[first / kMeasuredAtATime] = measure_some_boxes(points, triangles, opposites, first, last);
   });
   BoxMethod sum;
-  for (const BoxMethod& part : parts) merge(sum, part);
+  for (const BoxMethod& part : parts) sum += part;
   return sum;
 }
 BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTriple> triangles,
