@@ -40,6 +40,11 @@ class CellsOfMsh {
       input.warnings.push_back(
           fmt::format("curves and surfaces are in {}: the first of each counts",
                       counted(file_.in_several_groups, "further physical group")));
+    // Its curves need not be in groups, and a group may have more curves than the pair.
+    if (file_.has_periodic_points)
+      input.warnings.emplace_back(
+          "which lines are images of each other ($Periodic) is not taken over: --periodic A=B says "
+          "it, with names of lines");
     return input;
   }
 

@@ -228,6 +228,22 @@ TEST(ReadMshBinary, GivesWhatAsciiDoes) {
             "curves and surfaces are in 1 further physical group: the first of each counts");
 }
 
+TEST(ReadMshPeriodic, IsNotTakenOverAndSaysSo) {
+  for (const std::string_view whole : {kMesh22, kMesh41}) {
+    ASSERT_TRUE(parse_msh(whole, "dev.msh")->warnings.empty());
+    const std::string text =
+        std::string(whole) + "$Periodic\n1\n1 5 4\n2\n5 4\n2 1\n$EndPeriodic\n";
+    const Result<Input> input = parse_msh(text, "dev.msh");
+    ASSERT_TRUE(input.has_value()) << input.error().message;
+    EXPECT_EQ(input->segments.size(), 7u);
+    EXPECT_TRUE(input->periodic.empty());
+    ASSERT_EQ(input->warnings.size(), 1u);
+    EXPECT_EQ(input->warnings[0],
+              "which lines are images of each other ($Periodic) is not taken over: --periodic A=B "
+              "says it, with names of lines");
+  }
+}
+
 TEST(ReadMshErrors, OfEveryTruncationAreErrors) {
   for (const std::string_view whole : {kMesh22, kMesh41})
     for (std::size_t n = 0; n + 2 < whole.size(); ++n) {
