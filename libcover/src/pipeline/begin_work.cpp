@@ -14,7 +14,6 @@
 #include "pipeline/prepare_regions.hpp"
 #include "pipeline/steps.hpp"
 #include "region/region_graph.hpp"
-#include "sizes/expected_triangles.hpp"
 #include "sizes/sizes.hpp"
 #include "tasks/by_team.hpp"
 #include "tasks/errors_as_values.hpp"
@@ -25,7 +24,7 @@ namespace cover {
 namespace {
 
 /// One piece of work per region.
-Status split(Work& work, const Options& options, bool memory_counts,
+Status split(Work& work, const Options& options, Held held,
              std::span<TriangulatedRegion> triangulated) {
   return by_team("split", worker_count(options), [&](const Team& team) -> Status {
     auto boundaries = boundaries_with_wishes(work.pslg, work.table, options, team);
@@ -33,24 +32,23 @@ Status split(Work& work, const Options& options, bool memory_counts,
     work.boundaries = *std::move(boundaries);
     if (work.pslg.points.size() == work.report.input_points)
       add_known_triangles(triangulated, work.pslg.points.size(), work.boundaries, team);
-    return check_expected_triangles(work.table, work.boundaries, options,
-                                    memory_for_mesh(memory_counts));
+    return check_expected_triangles(work.table, work.boundaries, options, held);
   });
 }
 
 /// `input` is given back early if it may be moved from.
 template <class AnyInput>
-Result<Work> work_of(AnyInput&& input, const Options& options, bool memory_counts,
+Result<Work> work_of(AnyInput&& input, const Options& options, Held held,
                      const Callbacks& callbacks, StageClock& clock) {
   std::vector<PeriodicRule> rules = periodic_rules(input, options);
   std::shared_ptr<const PlaneField> field = input.field;
   Result<PreparedRegions> regions =
-      prepare_regions(std::forward<AnyInput>(input), options, callbacks, clock, memory_counts);
+      prepare_regions(std::forward<AnyInput>(input), options, callbacks, clock, held);
   if (!regions) return std::move(regions).error();
   Work work{std::move(regions->prepared)};
   work.rules = std::move(rules);
   work.field = std::move(field);
-  if (Status status = split(work, options, memory_counts, regions->triangulated); !status)
+  if (Status status = split(work, options, held, regions->triangulated); !status)
     return std::move(status).error();
   Status warned = errors_as_values("sizes", [&] {
     warn_of_sizes(work.pslg, options, work.boundaries, true, work.report.notes);
@@ -63,21 +61,21 @@ Result<Work> work_of(AnyInput&& input, const Options& options, bool memory_count
 
 }  // namespace
 
-Result<Work> begin_work(Input&& input, const Options& options, bool memory_counts,
+Result<Work> begin_work(Input&& input, const Options& options, Held held,
                         const Callbacks& callbacks, StageClock& clock) {
-  return work_of(std::move(input), options, memory_counts, callbacks, clock);
+  return work_of(std::move(input), options, held, callbacks, clock);
 }
 
-Result<Work> begin_work(const Input& input, const Options& options, bool memory_counts,
+Result<Work> begin_work(const Input& input, const Options& options, Held held,
                         const Callbacks& callbacks, StageClock& clock) {
-  return work_of(input, options, memory_counts, callbacks, clock);
+  return work_of(input, options, held, callbacks, clock);
 }
 
 Result<Prepared> prepare(const Input& input, const Options& asked, const Callbacks& callbacks) {
   return memory_as_value("prepare", [&]() -> Result<Prepared> {
     StageClock clock;
     const Options options = with_layers_of(input, asked);
-    Result<PreparedRegions> regions = prepare_regions(input, options, callbacks, clock, true);
+    Result<PreparedRegions> regions = prepare_regions(input, options, callbacks, clock, Held::all);
     if (!regions) return std::move(regions).error();
     Prepared prepared = std::move(regions->prepared);
     Result<std::vector<RegionReport>> limits =

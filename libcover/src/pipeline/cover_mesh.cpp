@@ -66,7 +66,8 @@ Result<Output> mesh_input(AnyInput&& input, const Options& asked, const Callback
   return memory_as_value("mesh", [&]() -> Result<Output> {
     StageClock clock;
     const Options options = with_layers_of(input, asked);
-    Result<Work> work = begin_work(std::forward<AnyInput>(input), options, true, callbacks, clock);
+    Result<Work> work =
+        begin_work(std::forward<AnyInput>(input), options, Held::all, callbacks, clock);
     return work ? finish_work(*std::move(work), options, callbacks, clock)
                 : std::move(work).error();
   });

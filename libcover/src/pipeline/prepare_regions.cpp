@@ -16,7 +16,6 @@
 #include "method/boundaries_with_wishes.hpp"
 #include "pipeline/begin_stage.hpp"
 #include "region/region_graph.hpp"
-#include "sizes/expected_triangles.hpp"
 #include "tasks/by_team.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/for_each_region.hpp"
@@ -25,13 +24,11 @@ namespace cover {
 namespace {
 
 /// Before segments are cut for sizes that no mesh can have, or a dry run ends with a wrong name.
-Status check_wishes(const Pslg& pslg, const RegionTable& table, const Options& options,
-                    bool memory_counts) {
+Status check_wishes(const Pslg& pslg, const RegionTable& table, const Options& options, Held held) {
   if (options.sizes.empty() && options.layers.empty() && !options.split_interfaces) return ok();
   const auto boundaries = boundaries_with_wishes(pslg, table, options);
-  return boundaries
-             ? check_expected_triangles(table, *boundaries, options, memory_for_mesh(memory_counts))
-             : boundaries.error();
+  return boundaries ? check_expected_triangles(table, *boundaries, options, held)
+                    : boundaries.error();
 }
 
 /// What the report tells of an input as it was read.
@@ -47,8 +44,8 @@ Report report_on(const Input& input, const Options& options) {
 }
 
 /// Cuts segments as far as that can be told before anything is meshed.
-Status cut_before_meshing(Prepared& prepared, const Options& options, bool memory_counts) {
-  Status status = check_wishes(prepared.pslg, prepared.table, options, memory_counts);
+Status cut_before_meshing(Prepared& prepared, const Options& options, Held held) {
+  Status status = check_wishes(prepared.pslg, prepared.table, options, held);
   if (status)
     status = split_interfaces(prepared.pslg, prepared.table, options, prepared.report.notes);
   if (status) status = cut_for_layers(prepared, options);
@@ -59,8 +56,7 @@ Status cut_before_meshing(Prepared& prepared, const Options& options, bool memor
 /// `release` gives the input back, if it may go.
 template <class Release>
 Result<PreparedRegions> prepared_from(const Input& input, Release release, const Options& options,
-                                      const Callbacks& callbacks, StageClock& clock,
-                                      bool memory_counts) {
+                                      const Callbacks& callbacks, StageClock& clock, Held held) {
   if (Status status = check_options(options); !status) return std::move(status).error();
   Prepared prepared;
   Report& report = prepared.report;
@@ -88,8 +84,8 @@ Result<PreparedRegions> prepared_from(const Input& input, Release release, const
   clock.note("regions", report.times);
   report.input_points = prepared.pslg.points.size();
   report.input_segments = prepared.pslg.segments.size();
-  Status cut = errors_as_values(
-      "split interfaces", [&] { return cut_before_meshing(prepared, options, memory_counts); });
+  Status cut = errors_as_values("split interfaces",
+                                [&] { return cut_before_meshing(prepared, options, held); });
   if (!cut) return std::move(cut).error();
   return PreparedRegions{std::move(prepared), std::move(made->triangulated)};
 }
@@ -97,17 +93,15 @@ Result<PreparedRegions> prepared_from(const Input& input, Release release, const
 }  // namespace
 
 Result<PreparedRegions> prepare_regions(const Input& input, const Options& options,
-                                        const Callbacks& callbacks, StageClock& clock,
-                                        bool memory_counts) {
+                                        const Callbacks& callbacks, StageClock& clock, Held held) {
   return prepared_from(
-      input, [] {}, options, callbacks, clock, memory_counts);
+      input, [] {}, options, callbacks, clock, held);
 }
 
 Result<PreparedRegions> prepare_regions(Input&& input, const Options& options,
-                                        const Callbacks& callbacks, StageClock& clock,
-                                        bool memory_counts) {
+                                        const Callbacks& callbacks, StageClock& clock, Held held) {
   return prepared_from(
-      input, [&input] { input = {}; }, options, callbacks, clock, memory_counts);
+      input, [&input] { input = {}; }, options, callbacks, clock, held);
 }
 
 }  // namespace cover

@@ -11,6 +11,7 @@
 
 #include "base/stage_clock.hpp"
 #include "region/region_graph.hpp"
+#include "sizes/expected_triangles.hpp"
 
 namespace cover {
 
@@ -22,14 +23,12 @@ struct PreparedRegions {
 
 /// Input made clean and its regions, with segments cut as the options ask; no lower bounds yet.
 ///
-/// Errors: ErrorCode 100-199, bad_option, cancelled; out_of_memory where `memory_counts` and the
-///         sizes asked for take more than there is
+/// Errors: ErrorCode 100-199, bad_option, cancelled; out_of_memory where what is `held` of
+///         the sizes asked for takes more than there is
 Result<PreparedRegions> prepare_regions(const Input& input, const Options& options,
-                                        const Callbacks& callbacks, StageClock& clock,
-                                        bool memory_counts);
+                                        const Callbacks& callbacks, StageClock& clock, Held held);
 /// The same; `input` is gone as soon as it is clean.
 Result<PreparedRegions> prepare_regions(Input&& input, const Options& options,
-                                        const Callbacks& callbacks, StageClock& clock,
-                                        bool memory_counts);
+                                        const Callbacks& callbacks, StageClock& clock, Held held);
 
 }  // namespace cover

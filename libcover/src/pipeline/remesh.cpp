@@ -237,7 +237,7 @@ Result<Output> mesh_again(const Input& input, const TriangleSoup& onto,
   StageClock clock;
   const Result<Options> options = options_without_cuts(with_layers_of(input, asked), only);
   if (!options) return options.error();
-  Result<PreparedRegions> regions = prepare_regions(input, *options, callbacks, clock, true);
+  Result<PreparedRegions> regions = prepare_regions(input, *options, callbacks, clock, Held::all);
   if (!regions) return std::move(regions).error();
   Work work{std::move(regions->prepared)};
   work.rules = periodic_rules(input, *options);

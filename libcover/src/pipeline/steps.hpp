@@ -10,17 +10,18 @@
 
 #include "base/stage_clock.hpp"
 #include "cuts/work.hpp"
+#include "sizes/expected_triangles.hpp"
 
 namespace cover {
 
 /// Input made clean, and its regions as pieces of work, with the sizes and layers that the options
 /// ask for; no meshes yet. An input that may be moved from is gone as soon as it is clean.
 ///
-/// Errors: those of prepare_regions(), sizes and layers; out_of_memory where `memory_counts` and
-///         the mesh would take more than there is
-Result<Work> begin_work(Input&& input, const Options& options, bool memory_counts,
+/// Errors: those of prepare_regions(), sizes and layers; out_of_memory where what is
+///         `held` of the mesh would take more than there is
+Result<Work> begin_work(Input&& input, const Options& options, Held held,
                         const Callbacks& callbacks, StageClock& clock);
-Result<Work> begin_work(const Input& input, const Options& options, bool memory_counts,
+Result<Work> begin_work(const Input& input, const Options& options, Held held,
                         const Callbacks& callbacks, StageClock& clock);
 
 /// Meshes, cuts again where that is asked for, stitches.

@@ -26,17 +26,16 @@ double expected_triangles(const RegionBoundary& boundary, const Options& options
 /// About how many triangles a region gets: by sizes wished, and at least what its sides take.
 double about_triangles(const RegionBoundary& boundary, const Options& options);
 
-/// What check_expected_triangles() may take for `memory`: all that there is, or no limit where the
-/// mesh is not held.
-double memory_for_mesh(bool memory_counts);
+/// How much of a mesh is in memory at a time.
+enum class Held { all, one_region };
 
 /// About as many bytes as a run takes for so many triangles and sides of regions.
 double memory_for(double triangles, std::size_t sides);
 
 /// Errors: bad_option if the sizes wished take more triangles than a mesh can hold; out_of_memory
-///         if these surely take more memory than `memory` bytes
+///         if what is held of these surely takes more memory than `memory` bytes
 Status check_expected_triangles(const RegionTable& table,
                                 std::span<const RegionBoundary> boundaries, const Options& options,
-                                double memory = machine_memory());
+                                Held held = Held::all, double memory = machine_memory());
 
 }  // namespace cover

@@ -346,7 +346,8 @@ Result<Prepared> prepare_to_check(Input&& input, const Options& asked) {
   return memory_as_value("check", [&]() -> Result<Prepared> {
     StageClock clock;
     const Options options = with_layers_of(input, asked);
-    Result<PreparedRegions> found = prepare_regions(std::move(input), options, {}, clock, true);
+    Result<PreparedRegions> found =
+        prepare_regions(std::move(input), options, {}, clock, Held::all);
     if (!found) return std::move(found).error();
     return std::move(found->prepared);
   });

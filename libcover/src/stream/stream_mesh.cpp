@@ -190,7 +190,7 @@ Result<StreamedOutput> stream_or_hold(Input input, const Options& asked,
                                       const StreamOptions& stream, const Callbacks& callbacks) {
   StageClock clock;
   const Options options = with_layers_of(input, asked);
-  Result<Work> work = begin_work(std::move(input), options, false, callbacks, clock);
+  Result<Work> work = begin_work(std::move(input), options, Held::one_region, callbacks, clock);
   if (!work) return std::move(work).error();
   Result<double> expected = errors_as_values(
       "estimate", [&] { return Result<double>(expected_triangles_of(work->boundaries, options)); });

@@ -84,5 +84,27 @@ TEST(ExpectedTriangles, MoreThanAMeshHoldsAreRefusedBeforeTheWork) {
       << output.error().message;
 }
 
+TEST(ExpectedTriangles, ARegionMustFitIntoMemoryWhereTheMeshNeedNot) {
+  const Options options = with_size(1e-3);  // 7e6 triangles: 1.2 GB, and 0.6 while it is meshed
+  Report report;
+  const auto pslg = make_pslg(disk(1e-3), options, report);
+  const auto table = build_region_table(*pslg, options, report.notes);
+  auto boundaries = split_regions(*pslg, *table);
+  boundaries.front().size = options.sizes.front().size;
+  const auto check = [&](Held held, double memory) {
+    return check_expected_triangles(*table, boundaries, options, held, memory);
+  };
+  EXPECT_TRUE(check(Held::all, 1e9));
+  EXPECT_FALSE(check(Held::all, 6e8));
+  EXPECT_TRUE(check(Held::one_region, 6e8));
+  const Status refused = check(Held::one_region, 2e8);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::out_of_memory);
+  EXPECT_NE(refused.error().message.find("GB of memory in their largest region alone, and there "
+                                         "are 0.2; most of them in region 1"),
+            std::string::npos)
+      << refused.error().message;
+}
+
 }  // namespace
 }  // namespace cover
