@@ -93,7 +93,7 @@ class Check(Case):
         self.assertRegex(lines[0], '^FAILED promise 1: 2 points of the input are rounded in the mesh, by its format and not by '
                                    'the mesher: readers of .inp take 20 characters')
         self.assertEqual(lines[1], '    at (7.5595480748489628e-17, 1.0987654321), there (7.5595480748489603e-17, 1.0987654321)')
-        self.assertIn('\nEvery promise holds: 2 triangles', out)
+        self.assertIn('\nAll else that was checked holds: 2 triangles', out)
         self.assertEqual(out.count('FAILED'), 1)
         self.assertIn('Every promise holds', self.run_cover('check', 'r.poly', 'r.vtu')[0])
         # What is wrong beside that is told as ever.

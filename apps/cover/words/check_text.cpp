@@ -51,12 +51,13 @@ std::string violations_text(const Verification& found) {
   return text + and_more(found.violation_count, found.violations.size());
 }
 
-std::string sound_text(const Verification& found, std::size_t triangles) {
-  std::string text =
-      fmt::format("{}: {}, {}, {} whole",
-                  found.unchecked.empty() ? "Every promise holds" : "All that was checked holds",
-                  plural(triangles, "triangle"), plural(found.regions, "region"),
-                  plural(found.segments_whole, "segment"));
+std::string sound_text(const Verification& found, std::size_t triangles, bool is_all_met) {
+  std::string text = fmt::format("{}: {}, {}, {} whole",
+                                 !is_all_met               ? "All else that was checked holds"
+                                 : found.unchecked.empty() ? "Every promise holds"
+                                                           : "All that was checked holds",
+                                 plural(triangles, "triangle"), plural(found.regions, "region"),
+                                 plural(found.segments_whole, "segment"));
   if (found.within_rounding > 0) {
     text += fmt::format("; {} of the regions meet the bound up to the rounding of coordinates",
                         grouped(found.within_rounding));

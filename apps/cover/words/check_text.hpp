@@ -20,7 +20,8 @@ namespace cover::app {
 /// The broken promises, a line each and lines with the places.
 std::string violations_text(const Verification& found);
 /// Of a mesh of so many triangles that breaks no promise: what was checked, and what was not.
-std::string sound_text(const Verification& found, std::size_t triangles);
+/// `is_all_met`: nothing else that was asked for has failed.
+std::string sound_text(const Verification& found, std::size_t triangles, bool is_all_met);
 
 /// Named lines that are not as in the input.
 std::string wrong_lines_text(const NamedLines& lines);

@@ -22,15 +22,18 @@ TEST(CheckText, ASoundMesh) {
   Verification found;
   found.regions = 1;
   found.segments_whole = 4;
-  EXPECT_EQ(sound_text(found, 1234),
+  EXPECT_EQ(sound_text(found, 1234, true),
             "Every promise holds: 1,234 triangles, 1 region, 4 segments whole\n");
-  EXPECT_EQ(sound_text(found, 1), "Every promise holds: 1 triangle, 1 region, 4 segments whole\n");
+  EXPECT_EQ(sound_text(found, 1, true),
+            "Every promise holds: 1 triangle, 1 region, 4 segments whole\n");
   found.regions = 2;
   found.within_rounding = 1;
   found.unchecked = {"materials"};
-  EXPECT_EQ(sound_text(found, 2),
+  EXPECT_EQ(sound_text(found, 2, true),
             "All that was checked holds: 2 triangles, 2 regions, 4 segments whole; 1 of the "
             "regions meet the bound up to the rounding of coordinates\nNot checked: materials\n");
+  EXPECT_EQ(sound_text(found, 2, false).substr(0, 46),
+            "All else that was checked holds: 2 triangles, ");
 }
 
 TEST(CheckText, CutsTellWhoMadeThemOrHowToAllowThem) {

@@ -151,17 +151,22 @@ Result<Subject> read_subject(CheckCommand& command, const Options& options, spdl
 /// The code of a whole check, of which `first` and then `second` was found out.
 int first_failure(int first, int second) { return first == exit_ok ? second : first; }
 
-int print_promises(const Verification& found, std::size_t triangles, bool quiet) {
+int print_promises(const Verification& found) {
   fmt::print("{}", violations_text(found));
-  if (!found.violations.empty()) return exit_unmet;
-  if (!quiet) fmt::print("{}", sound_text(found, triangles));
-  return exit_ok;
+  return found.violations.empty() ? exit_ok : exit_unmet;
 }
 
 /// Whether lines that the input names have their edges in the mesh.
-int print_lines(const NamedLines& lines, bool quiet) {
-  fmt::print("{}{}", wrong_lines_text(lines), quiet ? "" : unchecked_lines_text(lines));
+int print_lines(const NamedLines& lines) {
+  fmt::print("{}", wrong_lines_text(lines));
   return lines.wrong.empty() ? exit_ok : exit_unmet;
+}
+
+/// What holds, and what was not looked at: the last words of a check that ends with `code`.
+void print_summary(const Verification& found, std::size_t triangles, const NamedLines& lines,
+                   int code) {
+  if (found.violations.empty()) fmt::print("{}", sound_text(found, triangles, code == exit_ok));
+  fmt::print("{}", unchecked_lines_text(lines));
 }
 
 /// Whether a mesh is looked at in parts.
@@ -185,10 +190,11 @@ std::optional<int> check_parts(const CheckCommand& command, const MeshSource& so
     return std::nullopt;
   subject.prepared.report = {};
   if (const auto parts = check_in_parts(subject.prepared, source.file(), command.verify, options)) {
-    const bool quiet = command.verbosity.quiet;
-    const int code = print_promises(parts->found, parts->triangles, quiet);
-    return first_failure(
-        code, print_lines(lines_not_checked(subject.prepared.pslg, subject.prepared.table), quiet));
+    const int code = print_promises(parts->found);
+    if (!command.verbosity.quiet)
+      print_summary(parts->found, parts->triangles,
+                    lines_not_checked(subject.prepared.pslg, subject.prepared.table), code);
+    return code;
   }
   log.info("{} is read as a whole, to say more", source.name());
   return std::nullopt;
@@ -363,21 +369,24 @@ int check_whole(const CheckCommand& command, const std::string& mesh_path, Subje
   const auto cuts = take_own_cuts(mesh_path, mesh, verify, prepared, found);
   if (cuts && (!quiet || !cuts->are_meant)) fmt::print("{}", cuts_text(*cuts));
   print_hints(found, prepared.pslg, mesh.soup, verify.hull);
-  int code = print_promises(found, mesh.soup.triangles.size(), quiet);
+  int code = print_promises(found);
   if (rounded.count > 0) code = exit_unmet;
 
   // A piece of a segment is a side of its own to all that follows but for curves.
   const bool needs_pieces = !subject.periodic.empty() || !command.layers.empty() ||
                             command.box_method || has_named_lines(prepared.pslg, prepared.table);
   const CutInput cut = needs_pieces ? cut_as(prepared, mesh.soup) : CutInput{};
-  code = first_failure(code, print_lines(check_named_lines(cut, mesh), quiet));
+  const NamedLines lines = check_named_lines(cut, mesh);
+  code = first_failure(code, print_lines(lines));
   code = first_failure(code, print_periodic(cut, subject.periodic, quiet));
   if (code == exit_ok) code = print_curved(prepared.pslg, mesh, quiet);
   const Result<int> rows = print_layers(cut, command.layers, subject.layers, mesh.soup, quiet);
   if (!rows) return usage_error(command.app, rows.error().message);
   code = first_failure(code, *rows);
-  if (!command.box_method) return code;
-  return first_failure(code, print_couplings(cut, mesh.soup, verify, quiet));
+  if (command.box_method)
+    code = first_failure(code, print_couplings(cut, mesh.soup, verify, quiet));
+  if (!quiet) print_summary(found, mesh.soup.triangles.size(), lines, code);
+  return code;
 }
 
 }  // namespace
