@@ -68,7 +68,7 @@ Examples:
   for (const PeriodicNodes& nodes : mesh->periodic) periodic.push_back(nodes.rule);
   for (const std::string& warning : files.warnings(mesh->table.attributes, mesh->fields, periodic))
     log->warn("{}", warning);
-  if (const std::string rounded = files.rounding(*mesh); !rounded.empty()) log->warn("{}", rounded);
+  for (const std::string& warning : files.warnings_of(*mesh)) log->warn("{}", warning);
   const Status done = files.write(*mesh, interrupt.token(), ShowProgress::off, *log);
   if (!done) return fail(*log, done.error());
   return exit_ok;

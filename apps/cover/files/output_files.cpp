@@ -95,15 +95,12 @@ std::vector<std::string> OutputFiles::warnings(const std::vector<Attribute>& att
   std::vector<std::string> sentences = formats_.ignored(meshes_, format_);
   if (format_option_ != nullptr && format_option_->count() > 0 && !has_stdout())
     sentences.emplace_back("--format does nothing: it counts with '-o -' only");
-  const bool has_manifest = std::any_of(
-      meshes_.begin(), meshes_.end(),
-      [&](const std::string& path) { return extension_of_output(path, format_) == ".json"; });
   const auto names_of = [](const auto& all) {
     std::vector<std::string> names;
     for (const auto& one : all) names.push_back(one.name);
     return names;
   };
-  if (!has_manifest) {
+  if (!has_manifest()) {
     std::vector<std::string> sides;
     for (const PeriodicRule& rule : periodic) sides.push_back(describe(rule));
     sentences.push_back(lost("attributes", names_of(attributes), attribute_formats()));
@@ -112,6 +109,18 @@ std::vector<std::string> OutputFiles::warnings(const std::vector<Attribute>& att
   sentences.push_back(lost("values at points", names_of(values_at_points), value_formats()));
   std::erase_if(sentences, [](const std::string& sentence) { return sentence.empty(); });
   return sentences;
+}
+
+std::vector<std::string> OutputFiles::warnings_of(const Output& output) const {
+  std::vector<std::string> sentences{rounding(output), lines_left_out(output.table)};
+  std::erase_if(sentences, [](const std::string& sentence) { return sentence.empty(); });
+  return sentences;
+}
+
+bool OutputFiles::has_manifest() const {
+  return std::any_of(meshes_.begin(), meshes_.end(), [&](const std::string& path) {
+    return extension_of_output(path, format_) == ".json";
+  });
 }
 
 std::string OutputFiles::lost(std::string_view what, const std::vector<std::string>& names,
@@ -138,6 +147,27 @@ std::string OutputFiles::rounding(const Output& output) const {
       "{} in {} {} rounded: readers of .inp take 20 characters of a coordinate; other formats keep "
       "all digits",
       counted(rounded, "point"), listed(decks), rounded == 1 ? "is" : "are");
+}
+
+std::string OutputFiles::lines_left_out(const RegionTable& table) const {
+  const WriteOptions options = write_options();
+  if (options.inner_lines || has_manifest()) return {};
+  std::vector<std::string> files, names;
+  for (const std::string& path : meshes_) {
+    const std::string extension = extension_of_output(path, format_);
+    if (counts_with(*find_write_option("no-inner-lines"), extension) &&
+        (extension != ".vtk" || options.lines))
+      files.push_back(name_of(path));
+  }
+  for (const Interface& line : table.interfaces)
+    if (line.kind == InterfaceKind::contact && line.left != kVoid && line.right != kVoid &&
+        !is_among(names, line.name))
+      names.push_back(line.name);
+  if (files.empty() || names.empty()) return {};
+  return fmt::format(
+      "named lines with triangles on both sides ({}) are not in {}: --no-inner-lines leaves them "
+      "out",
+      listed(names), listed(files));
 }
 
 Status OutputFiles::write(const Output& output, const std::stop_token& stop, ShowProgress show,

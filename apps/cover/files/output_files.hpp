@@ -64,8 +64,9 @@ class OutputFiles {
   [[nodiscard]] std::vector<std::string> warnings(
       const std::vector<Attribute>& attributes, std::span<const PlaneField::Array> values_at_points,
       std::span<const PeriodicRule> periodic) const;
-  /// Where a file cannot hold all digits of coordinates: a sentence that tells; else empty.
-  [[nodiscard]] std::string rounding(const Output& output) const;
+  /// What is lost of the mesh itself, a sentence each: digits of coordinates that a file cannot
+  /// hold, and named lines that --no-inner-lines leaves out and that stand in no manifest.
+  [[nodiscard]] std::vector<std::string> warnings_of(const Output& output) const;
 
   /// Writes all files in turn; the log tells of each, and so does a line on stderr, if it is shown.
   ///
@@ -86,6 +87,9 @@ class OutputFiles {
     bool is_report = false;
   };
 
+  [[nodiscard]] bool has_manifest() const;
+  [[nodiscard]] std::string rounding(const Output& output) const;
+  [[nodiscard]] std::string lines_left_out(const RegionTable& table) const;
   /// That files hold none of what is called so: all but those in a format that is `holding`.
   [[nodiscard]] std::string lost(std::string_view what, const std::vector<std::string>& names,
                                  const std::vector<std::string>& holding) const;

@@ -89,6 +89,26 @@ TEST(OutputFiles, WarnsOfWhatIsLost) {
   EXPECT_EQ(idle, Strings{"--xdmf does nothing: it counts with .xdmf only"});
 }
 
+TEST(OutputFiles, NamedLinesThatAreLeftOutAreTold) {
+  Input input = testing::checker(2, 2, 5);
+  const Result<Output> unnamed = cover_mesh(input);
+  ASSERT_TRUE(unnamed);
+  const auto warnings = [](std::initializer_list<std::string> words, const Output& output) {
+    return Asked(words).files.warnings_of(output);
+  };
+  EXPECT_EQ(warnings({"-o", "a.msh", "--no-inner-lines"}, *unnamed), Strings{});
+  for (InputSegment& segment : input.segments) segment.name = "grid";
+  const Result<Output> named = cover_mesh(input);
+  ASSERT_TRUE(named);
+  EXPECT_EQ(warnings({"-o", "a.msh"}, *named), Strings{});
+  EXPECT_EQ(warnings({"-o", "a.vtk", "-o", "b.vtm", "--no-inner-lines"}, *named), Strings{});
+  EXPECT_EQ(warnings({"-o", "a.msh", "-o", "a.json", "--no-inner-lines"}, *named), Strings{});
+  EXPECT_EQ(warnings({"-o", "a.msh", "-o", "b.vtm", "-o", "c.vtk", "--no-inner-lines", "--lines"},
+                     *named),
+            Strings{"named lines with triangles on both sides (grid) are not in a.msh, c.vtk: "
+                    "--no-inner-lines leaves them out"});
+}
+
 TEST(OutputFiles, AllAreWritten) {
   const testing::TemporaryFolder folder;
   const std::string mesh = folder.path() / "a.vtu", report = folder.path() / "b.json";
@@ -96,7 +116,7 @@ TEST(OutputFiles, AllAreWritten) {
   ASSERT_TRUE(asked.files.plan());
   const Result<Output> output = cover_mesh(testing::checker(2, 2, 5));
   ASSERT_TRUE(output);
-  EXPECT_EQ(asked.files.rounding(*output), "");
+  EXPECT_EQ(asked.files.warnings_of(*output), Strings{});
   spdlog::logger silent("silent");
   EXPECT_TRUE(asked.files.write(*output, {}, ShowProgress::off, silent));
   EXPECT_TRUE(std::filesystem::exists(mesh));

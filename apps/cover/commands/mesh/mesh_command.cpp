@@ -319,8 +319,7 @@ int judge(const MeshCommand& command, Made& made, const std::stop_token& stop,
 int write_all(const MeshCommand& command, Made& made, const std::stop_token& stop,
               spdlog::logger& log) {
   Output& output = made.mesh.output;
-  if (const std::string rounded = command.files.rounding(output); !rounded.empty())
-    log.warn("{}", rounded);
+  for (const std::string& sentence : command.files.warnings_of(output)) log.warn("{}", sentence);
   const auto start = std::chrono::steady_clock::now();
   const Status written = command.files.write(made.mesh, stop, command.show_progress(), log);
   if (!written) return fail(log, written.error());
