@@ -251,9 +251,18 @@ class Sizes(Case):
         fine = self.fine_square()
         self.write('beside.csv', 'x,y,h\n5,5,0.1\n6,5,0.1\n6,6,0.1\n')
         _, err = self.run_cover('mesh', fine, '-o', 'd.vtu', '--size-field', 'beside.csv')
-        self.assertIn('warning: the size field beside.csv lies from (5, 5) to (6, 6), and the drawing from (0, 0) to (1, 1)', err)
+        self.assertIn('warning: the size field beside.csv lies from (5, 5) to (6, 6), and the drawing from (0, 0) to (1, 1): '
+                      'the whole drawing is outside of it, where', err)
+        self.assertEqual(err.count('beside.csv'), 1)
+        self.write('corner.csv', 'x,y,h\n0.999,0.999,0.1\n6,0.999,0.1\n6,6,0.1\n')
+        _, err = self.run_cover('mesh', fine, '-o', 'd.vtu', '--size-field', 'corner.csv')
+        self.assertIn('few of its sizes count, outside of it those of the nearest place', err)
         self.write('one.csv', '0.5,0.5,0.1\n')
         self.assertNotIn('the size field', self.run_cover('mesh', fine, '-o', 'd.vtu', '--size-field', 'one.csv')[1])
+        # Before what may take long, and where that fails, too.
+        self.write('tiny.csv', 'x,y,h\n5,5,1e-9\n6,5,1e-9\n6,6,1e-9\n')
+        _, err = self.run_cover('mesh', fine, '-o', 'd.vtm', '--split-interfaces', '--size-field', 'tiny.csv', code=2)
+        self.assertRegex(err, 'the whole drawing is outside of it[^E]*error: the sizes asked for take more triangles')
         nmos = SAMPLES / 'nmos.tif'
         command = ('mesh', nmos, '--size-field', nmos, '--size-of', 'asinh(Net/1e17)', '-o', 'd.vtu')
         self.assertNotIn('the size field', self.run_cover(*command)[1])

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <string>
@@ -133,6 +134,23 @@ void log_notes(spdlog::logger& log, std::span<const Note> notes) {
   show(Note::Kind::fallback, "remarks on methods", "", spdlog::level::info);
   show(Note::Kind::target_missed, "missed targets", "", spdlog::level::info);
   show(Note::Kind::repair, "repairs", "", spdlog::level::debug);
+}
+
+void log_warnings(spdlog::logger& log, const std::vector<std::string>& warnings) {
+  std::vector<Note> notes;
+  for (const std::string& warning : warnings)
+    notes.push_back({Note::Kind::warning, kVoid, warning, {}});
+  log_notes(log, notes);
+}
+
+std::vector<Note> not_yet_told(const std::vector<Note>& notes,
+                               const std::vector<std::string>& told) {
+  std::vector<Note> left;
+  std::copy_if(notes.begin(), notes.end(), std::back_inserter(left), [&](const Note& note) {
+    return note.kind != Note::Kind::warning ||
+           std::find(told.begin(), told.end(), note.message) == told.end();
+  });
+  return left;
 }
 
 std::string grouped(std::size_t number) {

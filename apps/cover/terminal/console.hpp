@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <spdlog/logger.h>
 
@@ -37,6 +38,11 @@ int fail(spdlog::logger& log, const Error& error);
 /// comes once before any comes again: changes of the input and warnings always, missed targets and
 /// other methods with -v, all else with -vv.
 void log_notes(spdlog::logger& log, std::span<const Note> notes);
+/// Warnings that are known before there is a report, in the same way.
+void log_warnings(spdlog::logger& log, const std::vector<std::string>& warnings);
+/// Leaves out of `notes` the warnings that were told already.
+std::vector<Note> not_yet_told(const std::vector<Note>& notes,
+                               const std::vector<std::string>& told);
 
 /// 1234567 as 1,234,567.
 std::string grouped(std::size_t number);

@@ -234,7 +234,7 @@ int dry_run(const MeshCommand& command, const Input& input, const Options& optio
     if (!source) return fail(log, source.error());
     if (const auto onto = read_triangles(*source, log); !onto) return fail(log, onto.error());
   }
-  log_notes(log, prepared->report.notes);
+  log_notes(log, not_yet_told(prepared->report.notes, input.warnings));
   const Result<Estimate> all = estimate(*prepared, options);
   if (!all) return fail(log, all.error());
   log_notes(log, all->notes);
@@ -298,13 +298,13 @@ Result<Made> make(const MeshCommand& command, Input input, const Options& option
   return Made{*std::move(mesh), std::move(packings), is_complete};
 }
 
-/// Whether the mesh may be written; tells what is to be said of it.
-int judge(const MeshCommand& command, Made& made, const std::stop_token& stop,
-          spdlog::logger& log) {
+/// Whether the mesh may be written; tells what is to be said of it and was not `told` before.
+int judge(const MeshCommand& command, Made& made, const std::vector<std::string>& told,
+          const std::stop_token& stop, spdlog::logger& log) {
   Output& output = made.mesh.output;
   for (Provenance::Setting& setting : command.input.settings())
     output.report.provenance.settings.push_back(std::move(setting));
-  log_notes(log, output.report.notes);
+  log_notes(log, not_yet_told(output.report.notes, told));
   for (const RegionReport& region : output.report.regions) log_notes(log, region.notes);
   if (!made.is_complete && !command.keep_partial) {
     log.error("{}; nothing was written (--keep-partial writes it anyway)",
@@ -341,9 +341,11 @@ int report_unmet(const Output& output, const Options& options, spdlog::logger& l
 int run(const MeshCommand& command, Input input, const Options& options,
         const OtherProcesses& others, spdlog::logger& log) {
   Interrupt interrupt;
+  const std::vector<std::string> told = input.warnings;
   Result<Made> made = make(command, std::move(input), options, others, interrupt.token(), log);
   if (!made) return fail(log, made.error());
-  if (const int code = judge(command, *made, interrupt.token(), log); code != exit_ok) return code;
+  if (const int code = judge(command, *made, told, interrupt.token(), log); code != exit_ok)
+    return code;
   if (const int code = write_all(command, *made, interrupt.token(), log); code != exit_ok)
     return code;
   interrupt.finish();
@@ -351,7 +353,8 @@ int run(const MeshCommand& command, Input input, const Options& options,
   return made->is_complete ? report_unmet(made->mesh.output, options, log) : exit_incomplete;
 }
 
-/// Tells what was read, and what of the command line has no effect on it.
+/// Tells what was read, what of the command line has no effect on it, and what readers warn of: a
+/// long run may be in vain.
 void log_input(const MeshCommand& command, const Input& input, const Options& options,
                spdlog::logger& log) {
   log.info("read {}: {} points, {} segments, {} polygons, {} lines", command.input.path(),
@@ -363,6 +366,7 @@ void log_input(const MeshCommand& command, const Input& input, const Options& op
   for (const std::string& warning :
        command.files.warnings(input.attributes, values, periodic_rules(input, options)))
     log.warn("{}", warning);
+  log_warnings(log, input.warnings);
 }
 
 /// Whether the files can hold what the input asks for, too.

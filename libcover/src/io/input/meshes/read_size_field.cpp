@@ -194,9 +194,13 @@ Status load_size_field(Options& options, Input& input) {
                                         input.scale, path);
     if (!drawing.is_empty() && !field.is_empty() && are_apart(drawing, field)) {
       input.warnings.push_back(fmt::format(
-          "the size field {} lies {}, and the drawing {}: few of its sizes count, outside of it "
-          "those of the nearest place{}{}",
-          path, corners_of(field), corners_of(drawing), alone.empty() ? "" : "; ", alone));
+          "the size field {} lies {}, and the drawing {}: {}{}{}", path, corners_of(field),
+          corners_of(drawing),
+          drawing.meets(field)
+              ? "few of its sizes count, outside of it those of the nearest place"
+              : "the whole drawing is outside of it, where the size of the nearest place on its "
+                "border counts",
+          alone.empty() ? "" : "; ", alone));
     } else if (!alone.empty()) {
       input.warnings.push_back(alone);
     }
