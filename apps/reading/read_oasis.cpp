@@ -3,8 +3,7 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
-#include <cstring>
+#include <csignal>
 #include <filesystem>
 #include <system_error>
 #include <vector>
@@ -25,27 +24,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder below that for temporary files; removed with what is in it.
-class Folder {
- public:
-  Folder() {
-    std::error_code ignored;
-    std::string name = fs::temp_directory_path(ignored) / "cover-oasis-XXXXXX";
-    if (::mkdtemp(name.data()) != nullptr) path_ = name;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  /// Empty where there could be none.
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
+/// A folder below that for temporary files; removed with what is in it, and, as it is held open, by
+/// an interrupt too.
+Result<ScratchFolder> scratch_folder() {
+  std::error_code ignored;
+  return ScratchFolder::beside((fs::temp_directory_path(ignored) / "cover-oasis").string());
+}
 
 enum class Ended { well, badly, not_there };
 
@@ -70,9 +54,17 @@ Ended run(std::vector<std::string> words, const std::string& log, const char* se
   posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
                                    S_IRUSR | S_IWUSR);
   posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
+  // The program that reads may wait for its signals in a thread; this one heeds its own.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
   pid_t process = 0;
-  const int failed =
-      ::posix_spawnp(&process, arguments[0], &files, nullptr, arguments.data(), settings.data());
+  const int failed = ::posix_spawnp(&process, arguments[0], &files, &attributes, arguments.data(),
+                                    settings.data());
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);
   if (failed != 0) return failed == ENOENT || failed == EACCES ? Ended::not_there : Ended::badly;
   int status = 0;
@@ -102,12 +94,12 @@ Result<Input> read_oasis(const std::string& path, const ReadOptions& options) {
   };
   // Its own message would speak of a file that cannot be opened, too, but after a second.
   if (const Result<std::string> there = read_file(path); !there) return there.error();
-  const Folder folder;
-  if (folder.path().empty())
+  const Result<ScratchFolder> folder = scratch_folder();
+  if (!folder)
     return error(ErrorCode::cannot_write,
-                 std::string("no folder for the layout as GDSII: ") + std::strerror(errno));
-  const std::string from = fs::absolute(path), to = folder.path() / "layout.gds",
-                    log = folder.path() / "log", script = folder.path() / "convert.rb";
+                 "no folder for the layout as GDSII: " + folder.error().message);
+  const std::string from = fs::absolute(path), to = folder->path() / "layout.gds",
+                    log = folder->path() / "log", script = folder->path() / "convert.rb";
   Ended ended = run({"strm2gds", from, to}, log);
   if (ended == Ended::not_there) ended = run({kDebiansTool, from, to}, log, kDebiansLibraries);
   if (ended == Ended::not_there) {

@@ -98,7 +98,7 @@ class Layouts(Case):
         done = subprocess.run([PROGRAM, 'info', *map(str, words)], cwd=self.dir, timeout=60, env={'PATH': str(folder), 'TMPDIR': str(self.dir)},
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.assertEqual(done.returncode, code, done.stderr)
-        self.assertEqual(list(self.dir.glob('cover-oasis-*')), [], 'a folder was left')
+        self.assertEqual(list(self.dir.glob('.cover-oasis*')), [], 'a folder was left')
         return done.stdout + done.stderr
 
     @unittest.skipUnless((KLAYOUT / 'strm2oas').exists(), 'KLayout is not there')

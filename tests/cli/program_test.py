@@ -592,6 +592,28 @@ class Interrupt(Case):
             self.assertEqual(run.returncode, 130)
             self.assertEqual(self.files(), ['big.poly'])
 
+    def test_while_reading(self):
+        folder = self.dir / 'tmp'
+        folder.mkdir()
+        self.write('s.poly', SQUARE)
+        os.mkfifo(self.dir / 'pipe')
+        before = self.files()
+        for sent, *words in ((signal.SIGTERM, 'mesh', 'pipe', '-o', 'a.vtu'), (signal.SIGINT, 'info', 'pipe'),
+                             (signal.SIGINT, 'mesh', 'pipe', '-o', 'a.vtu', '--dry-run'),
+                             (signal.SIGTERM, 'check', 'pipe', 'a.vtu'), (signal.SIGTERM, 'check', 's.poly', 'pipe'),
+                             (signal.SIGTERM, 'convert', 'pipe', '-o', 'a.vtm'), (signal.SIGTERM, 'render', 'pipe', '-o', 'a.svg')):
+            with self.subTest(words=words):
+                run = subprocess.Popen([PROGRAM, *words], cwd=self.dir, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                       text=True, env={**os.environ, 'TMPDIR': str(folder)})
+                with open(self.dir / 'pipe', 'wb', buffering=0) as pipe:  # waits until the program reads
+                    # Of a mesh more than what tells its format, so that a temporary file has it.
+                    pipe.write(b'$MeshFormat\n2.2 0 8\n$EndMeshFormat\n' + b' ' * 8192)
+                    run.send_signal(sent)
+                    out, err = run.communicate(timeout=60)
+                self.assertEqual((run.returncode, out, err), (130, '', 'cover: interrupted\n'))
+                self.assertEqual(list(folder.iterdir()), [])
+        self.assertEqual(self.files(), before)
+
     def test_while_writing(self):
         names = [f'{k}.{e}' for k in range(4) for e in ('msh', 'vtk', 'mesh', 'vtm')]
         run = self.start(self.slits(120), '--method', 'almond', *(w for n in names for w in ('-o', n)))

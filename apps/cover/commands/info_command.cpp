@@ -7,6 +7,7 @@
 #include "commands/options.hpp"
 #include "files/input_file.hpp"
 #include "terminal/console.hpp"
+#include "terminal/interrupt.hpp"
 #include "words/text_report.hpp"
 
 namespace cover::app {
@@ -30,6 +31,7 @@ int run_info(Arguments arguments) {
   if (!files) return usage_error(app, files.error());
 
   const auto log = make_logger(verbosity);
+  const Interrupt interrupt;
   const Result<Input> input = input_file.read(options->threads);
   if (!input) return fail(*log, input.error());
   for (const std::string& option : input_file.ignored()) log->warn("{}", option);

@@ -15,6 +15,7 @@
 #include "files/writers.hpp"
 #include "png/draw_png.hpp"
 #include "terminal/console.hpp"
+#include "terminal/interrupt.hpp"
 
 namespace cover::app {
 
@@ -142,6 +143,7 @@ int run_render(Arguments arguments) {
     return usage_error(app, files.error());
 
   const auto log = make_logger(asked.verbosity);
+  const Interrupt interrupt;
   if (!asked.range.empty() && asked.options.color.empty())
     log->warn("--range does nothing: it counts with --color only");
   const Result<MeshSource> source = MeshSource::open(asked.path);

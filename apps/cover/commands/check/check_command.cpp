@@ -39,6 +39,7 @@
 #include "files/input_file.hpp"
 #include "files/mesh_file.hpp"
 #include "terminal/console.hpp"
+#include "terminal/interrupt.hpp"
 #include "words/check_text.hpp"
 
 namespace cover::app {
@@ -401,6 +402,7 @@ int run_check(Arguments arguments) {
   if (!files) return usage_error(command.app, files.error());
 
   const auto log = make_logger(command.verbosity);
+  const Interrupt interrupt;
   Result<Subject> subject = read_subject(command, *options, *log);
   if (!subject) return fail(*log, subject.error());
   const Result<MeshSource> source = MeshSource::open(command.mesh_path);

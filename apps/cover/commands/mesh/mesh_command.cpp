@@ -339,8 +339,7 @@ int report_unmet(const Output& output, const Options& options, spdlog::logger& l
 
 /// Meshes, writes, reports.
 int run(const MeshCommand& command, Input input, const Options& options,
-        const OtherProcesses& others, spdlog::logger& log) {
-  Interrupt interrupt;
+        const OtherProcesses& others, Interrupt& interrupt, spdlog::logger& log) {
   const std::vector<std::string> told = input.warnings;
   Result<Made> made = make(command, std::move(input), options, others, interrupt.token(), log);
   if (!made) return fail(log, made.error());
@@ -395,6 +394,7 @@ int run_mesh(Arguments arguments, const OtherProcesses& others) {
     return usage_error(command.app, checked.error());
 
   const auto log = make_logger(command.verbosity);
+  Interrupt interrupt;
   Result<Input> input = command.input.read(options->threads, others.read_elsewhere);
   if (!input) return fail(*log, input.error());
   if (const Status hold = check_files_hold(command, *input, *options); !hold)
@@ -403,7 +403,7 @@ int run_mesh(Arguments arguments, const OtherProcesses& others) {
     return fail(*log, status.error());
   log_input(command, *input, *options, *log);
   return command.dry_run ? dry_run(command, *input, *options, *log)
-                         : run(command, *std::move(input), *options, others, *log);
+                         : run(command, *std::move(input), *options, others, interrupt, *log);
 }
 
 }  // namespace cover::app
