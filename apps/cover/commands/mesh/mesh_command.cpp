@@ -74,7 +74,7 @@ struct MeshCommand {
 
   void add_input_and_output() {
     input.add(app, true);
-    files.add_meshes(app, "stdout, in the format of --format");
+    files.add_meshes(app, "stdout, in the format of --format, by way of $TMPDIR");
   }
 
   void add_meshing_again() {
