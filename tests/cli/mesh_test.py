@@ -142,7 +142,9 @@ class Mesh(Case):
             self.assertEqual(warnings(*words, '-o', 'd.msh'), '', words)
         order = [SAMPLES / 'diode.poly', '--order', 2, '-o', 'd.poly']
         self.assertIn('--order does nothing: it counts with .vtu, .vtm,', self.run_cover('mesh', *order)[1])
-        self.assertEqual(self.run_cover('mesh', *order, '-o', 'd.vtu')[1], '')
+        for words in ('-o', 'd.vtu'), ('-o', 'd.svg'), ('--report', 'd.html'):
+            self.assertEqual(self.run_cover('mesh', *order, *words)[1], '', words)
+        self.assertIn('--order does nothing', self.run_cover('mesh', *order, '--report', 'd.json')[1])
 
     def test_missed_targets_are_told_with_v(self):
         flat = self.write('flat.poly', SQUARE.replace('2 1 0', '2 2 0').replace('3 1 1', '3 2 2').replace('4 0 1', '4 1 0.1'))

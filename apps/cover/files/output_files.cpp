@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 #include <fmt/core.h>
 
+#include <cover/files.hpp>
 #include <cover/periodic.hpp>
 #include <cover/text.hpp>
 #include <cover/write_mesh.hpp>
@@ -92,7 +94,10 @@ Status OutputFiles::can_hold_periodic() const {
 std::vector<std::string> OutputFiles::warnings(const std::vector<Attribute>& attributes,
                                                std::span<const PlaneField::Array> values_at_points,
                                                std::span<const PeriodicRule> periodic) const {
-  std::vector<std::string> sentences = formats_.ignored(meshes_, format_);
+  std::vector<std::string> with_options = meshes_;  // and pages, which draw the mesh
+  std::copy_if(reports_.begin(), reports_.end(), std::back_inserter(with_options),
+               [](const std::string& path) { return extension_of(path) == ".html"; });
+  std::vector<std::string> sentences = formats_.ignored(with_options, format_);
   if (format_option_ != nullptr && format_option_->count() > 0 && !has_stdout())
     sentences.emplace_back("--format does nothing: it counts with '-o -' only");
   const auto names_of = [](const auto& all) {

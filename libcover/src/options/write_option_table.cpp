@@ -21,7 +21,8 @@ constexpr WriteOptionEntry kWriteTable[] = {
         .help = "2: triangles with six nodes",
         .more = "Those of edges on arcs lie on the arcs; of a mesh that is read, only its manifest "
                 "(.json) knows the arcs.",
-        .counts_with = ".vtu, .vtm, .vtkhdf, .vtk, .msh, .pvtu, .xdmf, .mesh, .inp, .ele, .json"}),
+        .counts_with = ".vtu, .vtm, .vtkhdf, .vtk, .msh, .pvtu, .xdmf, .mesh, .inp, .ele, .json, "
+                       ".svg, .png and reports in .html"}),
     named<&WriteOptions::msh>({
         .name = "msh", .placeholder = "VERSION",
         .word_list = {"2.2", "4.1"},

@@ -49,9 +49,9 @@ TEST(WriteOptionTable, WhatIsSetIsToldAndChangesNothingElse) {
 
 TEST(WriteOptionTable, WholeExtensionsCount) {
   const WriteOptionEntry& order = *find_write_option("order");
-  for (const char* extension : {".vtu", ".vtk", ".vtkhdf", ".json"})
+  for (const char* extension : {".vtu", ".vtk", ".vtkhdf", ".json", ".svg", ".png", ".html"})
     EXPECT_TRUE(counts_with(order, extension)) << extension;
-  for (const char* extension : {".poly", ".svg", ".vt", ".vtkh", ".m"})
+  for (const char* extension : {".poly", ".obj", ".vt", ".vtkh", ".m", ".htm"})
     EXPECT_FALSE(counts_with(order, extension)) << extension;
   EXPECT_FALSE(counts_with(*find_write_option("lines"), ".vtkhdf"));
   EXPECT_TRUE(counts_with(*find_write_option("parts"), ".anything"));
