@@ -114,6 +114,23 @@ class Layouts(Case):
         error = self.run_cover('info', 'cut.oas', code=5)[1]
         self.assertIn('cut.oas: KLayout makes no GDSII of it', error)
 
+    def test_an_interrupt_while_klayout_reads_leaves_no_folder(self):
+        self.write('a.OAS', '%SEMI-OASIS')
+        tools = self.dir / 'bin'
+        tools.mkdir()
+        # Ends with the folder that it was to write into.
+        (tools / 'strm2gds').write_text('#!/bin/sh\nwhile [ -d "${2%/*}" ]; do /bin/sleep 0.1; done\n')
+        (tools / 'strm2gds').chmod(0o755)
+        run = subprocess.Popen([PROGRAM, 'info', 'a.OAS'], cwd=self.dir, env={'PATH': str(tools), 'TMPDIR': str(self.dir)},
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(run.kill)
+        while not list(self.dir.glob('.cover-oasis*')):
+            self.assertIsNone(run.poll())
+        run.terminate()
+        out, err = run.communicate(timeout=60)
+        self.assertEqual((run.returncode, out, err), (130, '', 'cover: interrupted\n'))
+        self.assertEqual(self.files(), ['a.OAS', 'bin'])
+
     @unittest.skipIf((KLAYOUT / 'strm2gds').exists(), 'KLayout itself is there')
     def test_oasis_is_read_by_klayout(self):
         self.write('a.OAS', '%SEMI-OASIS')
