@@ -26,8 +26,11 @@ struct Mesh::Data {
   OpenMesh::EPropHandleT<int> marker;
 };
 
-inline const TriMesh& Mesh::tri() const { return data_->tri; }
-inline TriMesh& Mesh::tri() { return data_->tri; }
+inline const TriMesh& Mesh::tri() const { return data_ ? data_->tri : empty().tri; }
+inline TriMesh& Mesh::tri() {
+  if (!data_) *this = Mesh();
+  return data_->tri;
+}
 
 inline RegionId Mesh::region(OpenMesh::FaceHandle f) const {
   return data_->tri.property(data_->region, f);

@@ -24,7 +24,7 @@ using TriMesh = OpenMesh::TriMesh_ArrayKernelT<MeshTraits>;
 /// or on a region, by VertexId; then Steiner vertices by region. Faces come by region. z is 0.
 ///
 /// OpenMesh's meshes cannot be moved, so one is held by pointer: moving a Mesh is cheap. A Mesh
-/// that was moved from may only be assigned to or destroyed.
+/// that was moved from is empty, and may be used as any other.
 class Mesh {
  public:
   Mesh();
@@ -60,7 +60,10 @@ class Mesh {
 
  private:
   struct Data;
-  std::unique_ptr<Data> data_;
+  /// That of all meshes that were moved from.
+  static const Data& empty();
+
+  std::unique_ptr<Data> data_;  ///< null: moved from
 };
 
 }  // namespace cover

@@ -11,7 +11,8 @@ Mesh::Mesh() : data_(std::make_unique<Data>()) {
   data_->tri.add_property(data_->interface, "cover:interface");
   data_->tri.add_property(data_->marker, "cover:marker");
 }
-Mesh::Mesh(const Mesh& other) : data_(std::make_unique<Data>(*other.data_)) {}
+Mesh::Mesh(const Mesh& other)
+    : data_(other.data_ ? std::make_unique<Data>(*other.data_) : nullptr) {}
 Mesh::Mesh(Mesh&& other) noexcept = default;
 Mesh& Mesh::operator=(Mesh other) noexcept {
   data_ = std::move(other.data_);
@@ -19,8 +20,13 @@ Mesh& Mesh::operator=(Mesh other) noexcept {
 }
 Mesh::~Mesh() = default;
 
-std::size_t Mesh::vertices() const { return data_->tri.n_vertices(); }
-std::size_t Mesh::triangles() const { return data_->tri.n_faces(); }
+const Mesh::Data& Mesh::empty() {
+  static const Data none;
+  return none;
+}
+
+std::size_t Mesh::vertices() const { return tri().n_vertices(); }
+std::size_t Mesh::triangles() const { return tri().n_faces(); }
 
 MeshCounts count_of(const Mesh& mesh) {
   return {mesh.vertices(), mesh.tri().n_edges(), mesh.triangles()};

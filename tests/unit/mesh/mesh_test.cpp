@@ -49,5 +49,21 @@ TEST(Mesh, MovesKeepEverythingAndWhatIsLeftCanBeAssignedTo) {
   expect_one_triangle(mesh);
 }
 
+TEST(Mesh, OneThatWasMovedFromIsEmptyAndOfUse) {
+  Mesh mesh = one_triangle();
+  const Mesh moved = std::move(mesh);
+  const Mesh& left = mesh;  // NOLINT(bugprone-use-after-move): that is the point
+  EXPECT_EQ(left.vertices(), 0U);
+  EXPECT_EQ(left.triangles(), 0U);
+  EXPECT_EQ(left.tri().n_edges(), 0U);
+  const Mesh copy = left;
+  EXPECT_EQ(copy.triangles(), 0U);
+  const auto v = mesh.tri().add_vertex({1, 2, 0});
+  mesh.set_input_id(v, 4);
+  EXPECT_EQ(left.input_id(v), 4);
+  EXPECT_EQ(copy.vertices(), 0U);
+  expect_one_triangle(moved);
+}
+
 }  // namespace
 }  // namespace cover
