@@ -23,7 +23,8 @@
 /// on points of their own, with the cell array LineId and the strings LineName by LineId - 1.
 ///
 /// What is wrong is told as VTK does it (ErrorEvent) and in LastError(); the outputs are empty
-/// then.
+/// then. So is what VTK lets pass: cells with points that are not there, and places that are not
+/// finite.
 class vtkCoverMesh : public vtkPolyDataAlgorithm {
  public:
   static vtkCoverMesh* New();

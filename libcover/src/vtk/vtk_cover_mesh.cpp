@@ -18,6 +18,7 @@
 #include <map>
 #include <stop_token>
 #include <thread>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -64,11 +65,7 @@ class PolyDataInput {
                         z(), p, height),
             ErrorCode::unsupported_format);
     }
-    vtkNew<vtkIdList> points;
-    for (vtkIdType c = 0; c < data_.GetNumberOfCells(); ++c) {
-      data_.GetCellPoints(c, points);
-      add_cell(c, *points);
-    }
+    if (Status status = read_cells(); !status) return std::move(status).error();
     if (input_.polygons.empty()) add_segments();
     return std::move(input_);
   }
@@ -76,6 +73,46 @@ class PolyDataInput {
   [[nodiscard]] double z() const { return data_.GetNumberOfPoints() > 0 ? place(0)[2] : 0; }
 
  private:
+  using AddCell = void (PolyDataInput::*)(vtkIdType cell, const std::vector<Point>& points);
+
+  /// All cells, in the order in which VTK numbers them. It looks up points and cells without asking
+  /// whether they are there, so that is done here.
+  Status read_cells() {
+    const struct {
+      const char* name;
+      vtkCellArray* cells;
+      AddCell add;
+    } kinds[] = {{"vertex", data_.GetVerts(), nullptr},
+                 {"line", data_.GetLines(), &PolyDataInput::add_line},
+                 {"polygon", data_.GetPolys(), &PolyDataInput::add_area},
+                 {"strip", data_.GetStrips(), &PolyDataInput::add_strip}};
+    const vtkIdType most = data_.GetNumberOfPoints();
+    vtkIdType cell = 0;
+    vtkNew<vtkIdList> ids;
+    for (const auto& [name, cells, add] : kinds) {
+      if (cells == nullptr) continue;
+      if (!cells->IsValid())
+        return wrong(
+            fmt::format("the {} cells of the input are no cells: the offsets do not rise "
+                        "from 0 to the end of the points",
+                        name));
+      for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c, ++cell) {
+        cells->GetCellAtId(c, ids);
+        std::vector<Point> points;
+        for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k) {
+          const vtkIdType p = ids->GetId(k);
+          if (p < 0 || p >= most)
+            return wrong(fmt::format("{} {} of the input has the point {}, but there are {} points",
+                                     name, c, p, most),
+                         ErrorCode::id_out_of_range);
+          points.push_back(at(p));
+        }
+        if (add != nullptr) (this->*add)(cell, points);
+      }
+    }
+    return ok();
+  }
+
   /// A copy: VTK's own is overwritten by its next call.
   [[nodiscard]] std::array<double, 3> place(vtkIdType p) const {
     std::array<double, 3> x{};
@@ -87,42 +124,27 @@ class PolyDataInput {
     return {x[0], x[1]};
   }
 
-  void add_cell(vtkIdType c, vtkIdList& points) {
-    switch (data_.GetCellType(c)) {
-      case VTK_LINE:
-      case VTK_POLY_LINE:
-        return add_line(c, points);
-      case VTK_TRIANGLE_STRIP:
-        for (vtkIdType k = 2; k < points.GetNumberOfIds(); ++k)
-          add_area(c, {at(points.GetId(k - 2)), at(points.GetId(k - 1)), at(points.GetId(k))});
-        return;
-      case VTK_VERTEX:
-      case VTK_POLY_VERTEX:
-      case VTK_EMPTY_CELL:
-        return;
-      default: {
-        std::vector<Point> ring;
-        for (vtkIdType k = 0; k < points.GetNumberOfIds(); ++k) ring.push_back(at(points.GetId(k)));
-        add_area(c, std::move(ring));
-      }
-    }
+  void add_strip(vtkIdType c, const std::vector<Point>& points) {
+    for (std::size_t k = 2; k < points.size(); ++k)
+      add_area(c, {points[k - 2], points[k - 1], points[k]});
   }
 
-  void add_area(vtkIdType c, std::vector<Point> ring) {
+  void add_area(vtkIdType c, const std::vector<Point>& ring) {
+    if (ring.size() < 3) return;
     InputPolygon polygon;
-    polygon.rings.push_back(std::move(ring));
+    polygon.rings.push_back(ring);
     polygon.material = text_of(material_, c, "1");
     polygon.id = static_cast<long>(c);
     input_.polygons.push_back(std::move(polygon));
   }
 
-  void add_line(vtkIdType c, vtkIdList& points) {
+  void add_line(vtkIdType c, const std::vector<Point>& points) {
+    if (points.size() < 2) return;
     InputLine line;
     line.name = text_of(line_, c, std::to_string(input_.lines.size() + 1));
-    for (vtkIdType k = 0; k < points.GetNumberOfIds(); ++k)
-      line.points.push_back(at(points.GetId(k)));
+    line.points = points;
     line.id = static_cast<long>(c);
-    if (line.points.size() > 1) input_.lines.push_back(std::move(line));
+    input_.lines.push_back(std::move(line));
   }
 
   /// Lines alone: the segments of a PSLG, whose faces are regions.

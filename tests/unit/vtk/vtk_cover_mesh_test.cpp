@@ -177,4 +177,70 @@ TEST(VtkCoverMesh, WhatIsWrongIsToldAndLeavesNothing) {
   vtkObject::GlobalWarningDisplayOn();
 }
 
+/// Cells that VTK takes without a look at them, on four points around a square.
+vtkSmartPointer<vtkPolyData> unchecked(void (vtkPolyData::*set)(vtkCellArray*),
+                                       const std::vector<vtkIdType>& cell) {
+  auto data = plane({kLeft}, {});
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell(static_cast<vtkIdType>(cell.size()), cell.data());
+  (data->*set)(cells);
+  return data;
+}
+
+TEST(VtkCoverMesh, RefusesCellsWithPointsThatAreNotThere) {
+  vtkObject::GlobalWarningDisplayOff();
+  vtkNew<vtkCoverMesh> mesher;
+  const auto expect_refused = [&](vtkPolyData* data, const std::string& words) {
+    mesher->SetInputData(data);
+    mesher->Update();
+    EXPECT_NE(mesher->LastError().find(words), std::string::npos) << mesher->LastError();
+    EXPECT_EQ(mesher->GetOutput()->GetNumberOfCells(), 0);
+  };
+  const struct {
+    void (vtkPolyData::*set)(vtkCellArray*);
+    const char* name;
+  } kinds[] = {{&vtkPolyData::SetVerts, "vertex"},
+               {&vtkPolyData::SetLines, "line"},
+               {&vtkPolyData::SetPolys, "polygon"},
+               {&vtkPolyData::SetStrips, "strip"}};
+  for (const auto& [set, name] : kinds) {
+    SCOPED_TRACE(name);
+    const std::string begin = std::string(name) + " 0 of the input has the point ";
+    expect_refused(unchecked(set, {0, 1, 4}), begin + "4, but there are 4 points");
+    expect_refused(unchecked(set, {0, 1, 1000000000000}), begin + "1000000000000,");
+    expect_refused(unchecked(set, {0, -7, 2}), begin + "-7,");
+  }
+  const auto without_points = plane({kLeft}, {});
+  without_points->SetPoints(nullptr);
+  expect_refused(without_points, "but there are 0 points");
+  const auto torn = plane({kLeft, kRight}, {});
+  torn->GetPolys()->GetOffsetsArray()->SetComponent(1, 0, 700);
+  expect_refused(torn, "the polygon cells of the input are no cells");
+  vtkObject::GlobalWarningDisplayOn();
+}
+
+TEST(VtkCoverMesh, RefusesPlacesThatAreNotFiniteAndTakesCellsOfAllKinds) {
+  vtkObject::GlobalWarningDisplayOff();
+  vtkNew<vtkCoverMesh> mesher;
+  for (const double wrong : {std::nan(""), HUGE_VAL}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto data = plane({kLeft}, {});
+      double at[3] = {1, 1, 5};
+      at[axis] = wrong;
+      data->GetPoints()->SetPoint(2, at);
+      mesher->SetInputData(data);
+      mesher->Update();
+      EXPECT_NE(mesher->LastError(), "");
+      EXPECT_EQ(mesher->GetOutput()->GetNumberOfCells(), 0);
+    }
+  }
+  // Polygons of no point, of one and of two have no area.
+  const auto data = plane({kLeft, {}, {{0, 0}}, {{0, 0}, {1, 1}}}, {{{0, 0}, {0, 1}, {1, 1}}, {}});
+  mesher->SetInputData(data);
+  mesher->Update();
+  EXPECT_EQ(mesher->LastError(), "");
+  EXPECT_NEAR(area_of(*mesher->GetOutput(), 1), 1, 1e-14);
+  vtkObject::GlobalWarningDisplayOn();
+}
+
 }  // namespace
