@@ -16,7 +16,9 @@ namespace cover {
 
 /// Writes `output` in the format that the extension of `path` names. See write_formats().
 ///
-/// Errors: those of can_write(); cannot_write; cancelled
+/// Errors: those of can_write(); cannot_write, also where `output` has no triangles (those of a
+///         streamed mesh stand on the disk, see write_streamed_mesh(), and those of an output that
+///         was moved from elsewhere) unless the format is .poly; cancelled
 Status write_mesh(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Tells before the work whether write_mesh() knows the format and the format has what is asked
@@ -59,7 +61,7 @@ std::vector<std::string> companions_of(const std::string& path);
 Error unknown_output_format(const std::string& path, std::span<const std::string> known);
 
 // The writers of single formats ask what can_write() asks of theirs, whatever the extension of
-// `path` is: that is their bad_option.
+// `path` is: that is their bad_option. As write_mesh(), they cannot write without triangles.
 
 /// Writes VTK's XML unstructured grid: triangles only, float64 points, raw appended data; cell
 /// arrays material (first, for MFEM), MaterialID, mat_id, RegionId (Int32), max_angle and min_angle

@@ -47,6 +47,7 @@ void expect_same(const Input& input, const Options& options) {
   forget_times(*whole);
   forget_times(streamed->output);
   EXPECT_EQ(report_json(*streamed), report_json(*whole));
+  EXPECT_FALSE(write_mesh(streamed->output, folder.path() / "none.vtu"));
   for (const char* extension : {".vtu", ".vtkhdf", ".msh"}) {
     for (const char* msh : {"2.2", "4.1"}) {
       for (const bool inner : {true, false}) {

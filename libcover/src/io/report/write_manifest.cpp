@@ -42,6 +42,7 @@
 #include "io/files/text_writer.hpp"
 #include "io/report/periodic_json.hpp"
 #include "io/report/provenance_json.hpp"
+#include "io/write_mesh/check_format.hpp"
 
 namespace cover {
 namespace {
@@ -300,6 +301,7 @@ class ManifestWriter {
 Status write_manifest(const Output& output, const std::string& path, const WriteOptions& options) {
   // It stands beside a file of another format, whose options these are: parts, too.
   if (Status status = check_write_options(options); !status) return status;
+  if (Status status = check_mesh(output, path); !status) return status;
   WriteOptions all = options;
   all.inner_lines = true;
   const MeshView view = view_of(output, all);

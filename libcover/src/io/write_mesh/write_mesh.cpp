@@ -183,9 +183,22 @@ Status check_nodes(const Format& format, const Output& output, const std::string
 
 }  // namespace
 
-Status check_format(std::string_view extension, const std::string& path,
+Status check_format(std::string_view extension, const Output& output, const std::string& path,
                     const WriteOptions& options) {
-  return check_for(*find_format(extension), path, options);
+  Status status = check_for(*find_format(extension), path, options);
+  return status ? check_mesh(output, path) : status;
+}
+
+Status check_mesh(const Output& output, const std::string& path) {
+  if (output.mesh.triangles() > 0) return ok();
+  return Error{ErrorCode::cannot_write,
+               fmt::format("cannot write '{}': the output has no triangles; {}", path,
+                           output.table.regions.empty()
+                               ? "nothing was meshed into it, or it was moved from"
+                               : "those of a streamed mesh are on the disk, from where "
+                                 "write_streamed_mesh() writes them"),
+               {},
+               {}};
 }
 
 Error unknown_output_format(const std::string& path, std::span<const std::string> known) {
@@ -253,6 +266,9 @@ Status write_mesh(const Output& output, const std::string& path, const WriteOpti
   return memory_as_value(path, [&]() -> Status {
     if (Status status = can_write(path, options); !status) return status;
     const Result<Format> format = format_of(path);
+    if (format->write != write_clean_input) {
+      if (Status status = check_mesh(output, path); !status) return status;
+    }
     if (Status status = check_nodes(*format, output, path, options); !status) return status;
     return format->write(output, path, options);
   });

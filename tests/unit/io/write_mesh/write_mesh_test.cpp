@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <cover/mesh_class.hpp>
 #include <cover/write_mesh.hpp>
 
 #include "support/temporary_folder.hpp"
@@ -138,6 +140,36 @@ TEST(WriteMesh, StopsBeforeAnyFile) {
     EXPECT_EQ(status.error().code, ErrorCode::cancelled) << extension;
     EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << extension;
   }
+}
+
+TEST(WriteMesh, RefusesAnOutputWithoutTriangles) {
+  const testing::TemporaryFolder folder;
+  Output output = testing::odd_device();
+  const Output moved = std::move(output);
+  Output elsewhere = moved;  // as that of a streamed mesh
+  elsewhere.mesh = Mesh();
+  const auto expect_refused = [](const Status& status, const std::string& words) {
+    ASSERT_FALSE(status);
+    EXPECT_EQ(status.error().code, ErrorCode::cannot_write);
+    EXPECT_NE(status.error().message.find(words), std::string::npos) << status.error().message;
+  };
+  for (const std::string& extension : write_formats()) {
+    SCOPED_TRACE(extension);
+    const std::string path = folder.path() / ("x" + extension);
+    if (extension == ".poly") continue;  // has no triangles anyway
+    // NOLINTNEXTLINE(bugprone-use-after-move): that is the point
+    expect_refused(write_mesh(output, path), "it was moved from");
+    expect_refused(write_mesh(elsewhere, path), "write_streamed_mesh() writes them");
+    WriteOptions second;
+    second.order = 2;
+    EXPECT_FALSE(write_mesh(output, path, second));
+  }
+  for (const auto write :
+       {write_vtu, write_vtk, write_vtkhdf, write_vtm, write_pvtu, write_msh, write_xdmf,
+        write_medit, write_inp, write_triangle, write_obj, write_off, write_ply, write_manifest})
+    expect_refused(write(elsewhere, folder.path() / "x.any", {}), "the output has no triangles");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  EXPECT_TRUE(write_mesh(elsewhere, folder.path() / "x.poly"));
 }
 
 }  // namespace

@@ -122,7 +122,7 @@ std::size_t points_rounded_by_inp(const Output& output, const WriteOptions& opti
 }
 
 Status write_inp(const Output& output, const std::string& path, const WriteOptions& options) {
-  if (Status status = check_format(".inp", path, options); !status) return status;
+  if (Status status = check_format(".inp", output, path, options); !status) return status;
   const MeshView view = view_of(output, options);
   if (Status status = check_rounding(view, path); !status) return status;
   return write_text(path, options.stop, [&](TextWriter& out) {

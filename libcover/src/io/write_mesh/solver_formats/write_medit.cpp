@@ -23,7 +23,7 @@ void write_cells(std::string_view keyword, const Cells& cells, Reference referen
 }  // namespace
 
 Status write_medit(const Output& output, const std::string& path, const WriteOptions& options) {
-  if (Status status = check_format(".mesh", path, options); !status) return status;
+  if (Status status = check_format(".mesh", output, path, options); !status) return status;
   const MeshView view = view_of(output, options);
   return write_text(path, options.stop, [&](TextWriter& out) {
     out << "MeshVersionFormatted 2\nDimension 2\n\nVertices\n" << view.points.size() << '\n';

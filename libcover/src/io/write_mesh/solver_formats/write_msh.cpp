@@ -200,7 +200,7 @@ void write_msh_text(const MeshView& view, const CellSource& cells, const RegionT
 }
 
 Status write_msh(const Output& output, const std::string& path, const WriteOptions& options) {
-  if (Status status = check_format(".msh", path, options); !status) return status;
+  if (Status status = check_format(".msh", output, path, options); !status) return status;
   const MeshView view = view_of(output, options);
   if (options.parts != 1) {
     if (!view.periodic.empty()) return periodic_in_parts(path);

@@ -20,7 +20,7 @@ void write_points(const MeshView& view, std::string_view before, TextWriter& out
 }  // namespace
 
 Status write_obj(const Output& output, const std::string& path, const WriteOptions& options) {
-  if (Status status = check_format(".obj", path, options); !status) return status;
+  if (Status status = check_format(".obj", output, path, options); !status) return status;
   const MeshView view = view_of(output, {});
   return write_text(path, options.stop, [&](TextWriter& out) {
     write_points(view, "v ", out);
@@ -45,7 +45,7 @@ Status write_obj(const Output& output, const std::string& path, const WriteOptio
 }
 
 Status write_off(const Output& output, const std::string& path, const WriteOptions& options) {
-  if (Status status = check_format(".off", path, options); !status) return status;
+  if (Status status = check_format(".off", output, path, options); !status) return status;
   const MeshView view = view_of(output, {});
   return write_text(path, options.stop, [&](TextWriter& out) {
     out << "OFF\n" << view.points.size() << ' ' << view.triangles.size() << " 0\n";
@@ -59,7 +59,7 @@ Status write_off(const Output& output, const std::string& path, const WriteOptio
 }
 
 Status write_ply(const Output& output, const std::string& path, const WriteOptions& options) {
-  if (Status status = check_format(".ply", path, options); !status) return status;
+  if (Status status = check_format(".ply", output, path, options); !status) return status;
   const MeshView view = view_of(output, {});
   return write_text(path, options.stop, [&](TextWriter& out) {
     out << "ply\nformat ascii 1.0\nelement vertex " << view.points.size()

@@ -66,7 +66,7 @@ void write_edges(const MeshView& view, TextWriter& out) {
 }  // namespace
 
 Status write_triangle(const Output& output, const std::string& path, const WriteOptions& options) {
-  if (Status status = check_format(".ele", path, options); !status) return status;
+  if (Status status = check_format(".ele", output, path, options); !status) return status;
   const MeshView view = view_of(output, options);
   std::vector<TextWriter> files;
   const std::filesystem::path elements(path);

@@ -353,7 +353,7 @@ Status write_xdmf_file(const XdmfSource& source, const std::string& path,
 }
 
 Status write_xdmf(const Output& output, const std::string& path, const WriteOptions& options) {
-  if (Status status = check_format(".xdmf", path, options); !status) return status;
+  if (Status status = check_format(".xdmf", output, path, options); !status) return status;
   const MeshView view = view_of(output, options);
   if (options.xdmf == "hdf5")
     return write_xdmf_file(source_of(view), path, options.stop, [] { return ok(); });

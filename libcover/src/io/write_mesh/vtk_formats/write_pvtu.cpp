@@ -14,7 +14,7 @@
 namespace cover {
 
 Status write_pvtu(const Output& output, const std::string& path, const WriteOptions& options) {
-  if (Status status = check_format(".pvtu", path, options); !status) return status;
+  if (Status status = check_format(".pvtu", output, path, options); !status) return status;
   const Result<std::filesystem::path> target = end_of_links(path);
   if (!target) return target.error();
   std::error_code ignored;

@@ -106,7 +106,7 @@ void write_point_arrays(const MeshView& view, TextWriter& out) {
 }  // namespace
 
 Status write_vtk(const Output& output, const std::string& path, const WriteOptions& options) {
-  if (Status status = check_format(".vtk", path, options); !status) return status;
+  if (Status status = check_format(".vtk", output, path, options); !status) return status;
   const MeshView view = view_of(output, options);
   return write_text(path, options.stop, [&](TextWriter& out) {
     const Cells none{view.lines.nodes_each, {}};

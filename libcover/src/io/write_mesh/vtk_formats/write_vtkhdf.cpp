@@ -234,7 +234,7 @@ Status write_vtkhdf_columns(const VtkHdfSource& source, const std::string& path,
 }
 
 Status write_vtkhdf(const Output& output, const std::string& path, const WriteOptions& options) {
-  if (Status status = check_format(".vtkhdf", path, options); !status) return status;
+  if (Status status = check_format(".vtkhdf", output, path, options); !status) return status;
   WriteOptions all = options;
   all.inner_lines = true;
   const MeshView view = view_of(output, all);

@@ -172,7 +172,7 @@ class VtmWriter {
 }  // namespace
 
 Status write_vtm(const Output& output, const std::string& path, const WriteOptions& options) {
-  if (Status status = check_format(".vtm", path, options); !status) return status;
+  if (Status status = check_format(".vtm", output, path, options); !status) return status;
   const Result<fs::path> target = end_of_links(path);
   if (!target) return target.error();
   std::error_code ignored;

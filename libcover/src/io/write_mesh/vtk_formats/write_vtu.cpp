@@ -9,7 +9,7 @@
 namespace cover {
 
 Status write_vtu(const Output& output, const std::string& path, const WriteOptions& options) {
-  if (Status status = check_format(".vtu", path, options); !status) return status;
+  if (Status status = check_format(".vtu", output, path, options); !status) return status;
   Result<AtomicFile> file = AtomicFile::create(path, options.stop);
   if (!file) return std::move(file).error();
   const MeshView view = view_of_triangles(output, options);
