@@ -85,7 +85,7 @@ struct AskedName {
 struct Input {
   std::string source;                 ///< file name for messages
   std::string unit;                   ///< what the coordinates mean, as "nm"; empty: not said
-  double scale = 1;                   ///< what the file's coordinates were multiplied by
+  double scale = 1;                   ///< what the file's coordinates were multiplied by; > 0
   std::vector<std::string> warnings;  ///< what the reader left out; they go into the report
   std::vector<Point> points;
   std::vector<long> point_ids;     ///< by point, as the file numbers them; empty: index

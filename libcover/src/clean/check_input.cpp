@@ -14,6 +14,7 @@
 
 #include <cover/option_ranges.hpp>
 #include <cover/text.hpp>
+#include <cover/units.hpp>
 
 #include "base/faults/complaint.hpp"
 
@@ -32,6 +33,7 @@ class InputChecker {
     if (input_.field) check_field(*input_.field);
     if (!indices_.empty()) return indices_.error();
     if (!places_.empty()) return places_.error();
+    check_units();
     for (const RegionSeed& seed : input_.seeds) check_size(seed);
     for (const InputPolygon& polygon : input_.polygons) check_polygon(polygon);
     if (!numbers_.empty()) return numbers_.error();
@@ -112,6 +114,16 @@ class InputChecker {
       if (!std::isfinite(p.x) || !std::isfinite(p.y))
         places_.add(fmt::format("point {} of the field is not finite", v), {p}, {});
     }
+  }
+
+  void check_units() {
+    if (!(input_.scale > 0 && std::isfinite(input_.scale)))
+      numbers_.add(fmt::format("the scale is {}, but must be a number above 0", input_.scale), {},
+                   {});
+    if (!input_.unit.empty() && !is_length_unit(input_.unit))
+      numbers_.add(fmt::format("the unit is '{}', but must be nm, um, mm, cm or m, or empty",
+                               printable(input_.unit)),
+                   {}, {});
   }
 
   /// As options say it of a size.

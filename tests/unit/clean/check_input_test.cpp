@@ -146,5 +146,21 @@ TEST(CheckInput, MessagesBeginWithTheSourceIfThereIsOne) {
   EXPECT_TRUE(cover_mesh(Input()).error().message.starts_with("the input: there are no segments"));
 }
 
+TEST(CheckInput, ScalesAndUnitsMeanSomething) {
+  for (const double scale : {kNaN, kInfinite, 0.0, -1.0}) {
+    Input input = seeded_square();
+    input.scale = scale;
+    expect_error(input, ErrorCode::bad_option, "square: the scale is ");
+    expect_error(input, ErrorCode::bad_option, ", but must be a number above 0");
+  }
+  Input input = seeded_square();
+  input.unit = "furlong";
+  expect_error(input, ErrorCode::bad_option,
+               "square: the unit is 'furlong', but must be nm, um, mm, cm or m, or empty");
+  input.unit = "um";
+  input.scale = 1e-3;
+  EXPECT_TRUE(cover_mesh(input));
+}
+
 }  // namespace
 }  // namespace cover
