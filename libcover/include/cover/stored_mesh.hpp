@@ -60,7 +60,8 @@ struct StoredMesh {
 ///
 /// Errors: syntax, if the arrays are no mesh of regions 1, 2, 3, ...: an index out of range,
 ///         triangles that share a directed edge, an unknown region or interface, a material of more
-///         than 32 bits, an array of another length than there are regions or points.
+///         than 32 bits, an array of another length than there are regions or points, more input or
+///         cut vertices than there can be.
 /// Cost:   O(n log n)
 Result<Output> rebuild(const StoredMesh& stored);
 

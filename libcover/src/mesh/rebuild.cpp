@@ -58,6 +58,11 @@ class Rebuilder {
       return wrong("a coordinate is not finite");
     }
     if (stored.input_vertices > soup.points.size()) return wrong("more input points than points");
+    if (stored.cut_vertices > soup.points.size())
+      return wrong("more points put on segments than points");
+    if (stored.names.empty() || !stored.names[0].empty())
+      return wrong("the names of contacts do not begin with the empty one");
+    if (std::optional<Error> error = check_tables(stored)) return error;
     for (const Interface& line : stored.interfaces) {
       if (std::max(line.left.index(), line.right.index()) > stored.regions.size())
         return wrong(fmt::format("interface {} has a side in region {}, which is not there",
@@ -83,6 +88,21 @@ class Rebuilder {
   }
 
  private:
+  /// Regions and interfaces are known by their places.
+  static std::optional<Error> check_tables(const StoredMesh& stored) {
+    for (std::size_t r = 0; r < stored.regions.size(); ++r) {
+      if (stored.regions[r].id != RegionId(r + 1))
+        return wrong(
+            fmt::format("region {} has the number {}", r + 1, stored.regions[r].id.value()));
+    }
+    for (std::size_t k = 0; k < stored.interfaces.size(); ++k) {
+      if (stored.interfaces[k].id != InterfaceId(k + 1))
+        return wrong(
+            fmt::format("interface {} has the number {}", k + 1, stored.interfaces[k].id.value()));
+    }
+    return std::nullopt;
+  }
+
   static Error wrong(std::string what) { return {ErrorCode::syntax, std::move(what), {}, {}}; }
 
   [[nodiscard]] RegionId region_of(std::size_t triangle) const {

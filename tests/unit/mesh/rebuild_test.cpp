@@ -68,6 +68,19 @@ TEST(Rebuild, SaysWhatIsWrong) {
       {[](StoredMesh& m) { m.soup.region.pop_back(); }, "one region and one material per triangle"},
       {[](StoredMesh& m) { m.soup.points[2].x = HUGE_VAL; }, "a coordinate is not finite"},
       {[](StoredMesh& m) { m.input_vertices = 7; }, "more input points than points"},
+      {[](StoredMesh& m) { m.cut_vertices = 7; }, "more points put on segments than points"},
+      {[](StoredMesh& m) { m.names.clear(); }, "do not begin with the empty one"},
+      {[](StoredMesh& m) { m.names = {"gate"}; }, "do not begin with the empty one"},
+      {[](StoredMesh& m) { m.regions.resize(2); }, "region 1 has the number 0"},
+      {[](StoredMesh& m) { m.interfaces.resize(1); }, "interface 1 has the number 0"},
+      {[](StoredMesh& m) {
+         m.edges = {{0, 77, kNoInterface, 1, 0}};
+       },
+       "from vertex 0 to vertex 77 is no edge"},
+      {[](StoredMesh& m) {
+         m.edges = {{0, 1, kNoInterface, 1, 1}};
+       },
+       "there is no interface"},
       {[](StoredMesh& m) { m.soup.triangles[3][1] = 6; }, "triangle 3 has no vertex 6"},
       {[](StoredMesh& m) { m.soup.region[1] = 0; }, "triangle 1 has RegionId 0"},
       {[](StoredMesh& m) { m.soup.region[1] = 77; }, "triangle 1 has RegionId 77"},
