@@ -17,7 +17,8 @@ struct WriteOptions {
   std::string xdmf = "text";  ///< .xdmf: numbers as text inside, or `hdf5`: in X.h5 beside it
   /// The numbers that solvers know triangles by: `region`: RegionId; `material`; `name`: of the
   /// group of equal name and material. Empty: the group in .msh, the material elsewhere. The array
-  /// `material` is the material always. See the formats; not in .vtu, .vtm, .vtkhdf.
+  /// `material` is the material always. See the formats; not in .vtu, .vtm, .pvtu, and of .vtkhdf
+  /// only the order of edges on lines, which stand by group, follows from it.
   std::string ids = {};
   std::string inp_element = "S";  ///< .inp: S, CPS, CPE or CAX; the number of nodes is appended
   int parts = 1;              ///< .pvtu, .msh 4.1 (at most 500): into how many the mesh is divided
