@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,7 @@ struct PictureOptions {
   std::string id = "plot";                     ///< a name in XML; the SVGs of one page differ in it
   bool edges = true;                           ///< draw all edges, thin
   bool y_down = false;                         ///< y grows downwards, as in devices of TCAD
+  std::stop_token stop = {};                   ///< ends the writing of a file with `cancelled`
 };
 
 /// The mesh of a run, with its names; of second order with the middle nodes that files have.
@@ -53,7 +55,8 @@ PictureMesh picture_of(const Output& output, int order = 1);
 ///
 /// Errors: bad_option (unknown array, empty window, an id that is no name in XML); id_out_of_range
 ///         for triangles, lines and vertices without their points, and for arrays that are not as
-///         long as the triangles or points; cannot_write
+///         long as the triangles or points; non_finite_coordinate for points and middle nodes;
+///         cannot_write, cancelled
 Status write_svg(const PictureMesh& mesh, const PictureOptions& options, const std::string& path);
 
 /// The SVG document as text, to be put into a page.

@@ -61,6 +61,9 @@ class Composer {
     if (!(window.low.x < window.high.x) || !(window.low.y < window.high.y)) {
       return bad_option("the window of the picture is empty");
     }
+    if (!std::isfinite(window.high.x - window.low.x) ||
+        !std::isfinite(window.high.y - window.low.y))
+      return bad_option("the window of the picture is wider than the largest number");
     if (options_.width < 200 || options_.width > 20000) {
       return bad_option(
           fmt::format("the width of a picture is 200 to 20000 pixels, not {}", options_.width));
@@ -288,6 +291,8 @@ class Composer {
     }
     if (options_.range) std::tie(low, high) = std::tie((*options_.range)[0], (*options_.range)[1]);
     if (!(low <= high)) return bad_option("the range of values is empty");
+    if (!std::isfinite(low) || !std::isfinite(high))
+      return bad_option("the range of values has no end");
     constexpr int kSteps = 64;
     std::vector<PaintedPatch> patches(kSteps);
     for (int i = 0; i < kSteps; ++i) {
@@ -295,9 +300,7 @@ class Composer {
     }
     for (const std::size_t t : visible_) {
       const double value = (*values)[t];
-      const double part = high > low && std::isfinite(value)
-                              ? std::clamp((value - low) / (high - low), 0.0, 1.0)
-                              : 0;
+      const double part = part_of(value, low, high);
       add_triangle(t,
                    patches[static_cast<std::size_t>(std::lround(part * (kSteps - 1)))].triangles);
     }

@@ -121,7 +121,7 @@ Status write_svg(const PictureMesh& mesh, const PictureOptions& options, const s
   return memory_as_value(path, [&]() -> Status {
     const Result<std::string> text = svg_text(mesh, options);
     if (!text) return text.error();
-    Result<AtomicFile> file = AtomicFile::create(path);
+    Result<AtomicFile> file = AtomicFile::create(path, options.stop);
     if (!file) return std::move(file).error();
     file->write(*text);
     return file->commit();

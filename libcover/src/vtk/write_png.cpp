@@ -184,7 +184,7 @@ Status write_png(const PictureMesh& mesh, const PictureOptions& options, const s
     if (writer->GetErrorCode() != 0 || bytes == nullptr) {
       return Error{ErrorCode::cannot_write, "cannot write '" + path + "' as PNG", {}, {}};
     }
-    Result<AtomicFile> file = AtomicFile::create(path);
+    Result<AtomicFile> file = AtomicFile::create(path, options.stop);
     if (!file) return std::move(file).error();
     file->write({reinterpret_cast<const char*>(bytes->GetPointer(0)),
                  static_cast<std::size_t>(bytes->GetNumberOfValues())});

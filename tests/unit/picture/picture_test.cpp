@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -306,6 +307,47 @@ TEST(Picture, IdsAreNamesInXml) {
     options.id = id;
     EXPECT_TRUE(svg_text(two_squares(), options)) << id;
   }
+}
+
+TEST(Picture, RefusesWhatHasNoPlaceInThePlane) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  for (const double wrong : {kNaN, HUGE_VAL, -HUGE_VAL}) {
+    PictureMesh mesh = two_squares();
+    mesh.mesh.soup.points[4].y = wrong;
+    Result<std::string> svg = svg_text(mesh, {});
+    ASSERT_FALSE(svg);
+    EXPECT_EQ(svg.error().code, ErrorCode::non_finite_coordinate);
+    EXPECT_EQ(svg.error().message, "point 4 is not finite");
+    mesh = two_squares();
+    mesh.mesh.middles.assign(4, {Point{0, 0}, {0, 0}, {0, 0}});
+    mesh.mesh.middles[2][1].x = wrong;
+    svg = svg_text(mesh, {});
+    ASSERT_FALSE(svg);
+    EXPECT_EQ(svg.error().message, "a node of triangle 2 is not finite");
+    PictureOptions options;
+    options.color = "load";
+    options.range = {{0, wrong}};
+    EXPECT_FALSE(svg_text(two_squares(), options));
+    options = {};
+    options.window = {{0, 0}, {1, wrong}};
+    EXPECT_FALSE(svg_text(two_squares(), options));
+  }
+  PictureMesh wide = two_squares();
+  wide.mesh.soup.points[0] = {-1.5e308, 0};
+  wide.mesh.soup.points[3] = {1.5e308, 1};
+  EXPECT_FALSE(svg_text(wide, {}));
+}
+
+TEST(Picture, ValuesMayBeMissingOrFarApart) {
+  PictureMesh mesh = two_squares();
+  mesh.mesh.arrays[0].values = {-1.7e308, std::numeric_limits<double>::quiet_NaN(), HUGE_VAL,
+                                1.7e308};
+  PictureOptions options;
+  options.color = "load";
+  options.worst = 0;
+  const Result<std::string> svg = svg_text(mesh, options);
+  ASSERT_TRUE(svg) << svg.error().message;
+  EXPECT_EQ(count(*svg, "nan") + count(*svg, "inf"), 0U);
 }
 
 }  // namespace

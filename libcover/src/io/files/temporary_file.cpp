@@ -6,6 +6,7 @@
 #include "io/files/temporary_file.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -32,6 +33,8 @@ constexpr int kMostLinks = 40;           // as the kernel has it
 constexpr std::size_t kPiece = 1 << 20;  // bytes between two looks at the stop token
 constexpr std::int64_t kPush =
     16 << 20;  // bytes that may wait for the disk: a second on a slow one
+
+constexpr int kWait = 20;  // milliseconds between two looks at the stop token, where a pipe waits
 
 constexpr mode_t kPermissions = 0777;
 constexpr mode_t kNewFile = 0666;  // less the umask
@@ -63,6 +66,35 @@ void remove_if_dead(const fs::path& path) {
   if (file < 0) return;
   if (flock(file, LOCK_EX | LOCK_NB) == 0 && is_name_of(path, file)) unlink(path.c_str());
   close(file);
+}
+
+Error not_written(const std::string& shown) {
+  return {ErrorCode::cancelled, fmt::format("interrupted; {} was not written", shown), {}, {}};
+}
+
+bool is_pipe(const std::string& path) {
+  struct stat status {};
+  return stat(path.c_str(), &status) == 0 && S_ISFIFO(status.st_mode);
+}
+
+/// Opens what is no regular file. Neither that nor a later write() waits in the system, where no
+/// stop would be heeded: a pipe may have no reader yet, or a slow one.
+Result<int> open_directly(const std::string& target, const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    const int file = open(target.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NONBLOCK);
+    if (file >= 0) return file;
+    const int number = errno;
+    if (number == EINTR) continue;
+    if (number != ENXIO || !is_pipe(target)) return cannot_write(target, number);
+    poll(nullptr, 0, kWait);
+  }
+  return not_written(target);
+}
+
+/// Waits a while for a reader to make room.
+void wait_for_room(int file) {
+  pollfd wanted{file, POLLOUT, 0};
+  poll(&wanted, 1, kWait);
 }
 
 bool is_of_proc(const fs::path& path) {
@@ -136,8 +168,9 @@ Result<TemporaryFile> TemporaryFile::direct(const std::string& target, std::stop
   out.stop_ = std::move(stop);
   out.is_direct_ = true;
   out.shown_ = target;
-  out.file_ = open(target.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-  if (out.file_ < 0) return cannot_write(target, errno);
+  const Result<int> file = open_directly(target, out.stop_);
+  if (!file) return file.error();
+  out.file_ = *file;
   return out;
 }
 
@@ -173,6 +206,10 @@ void TemporaryFile::write(std::string_view bytes) {
     if (stop_.stop_requested()) return fail(ECANCELED);
     const ssize_t n = ::write(file_, bytes.data(), std::min(bytes.size(), kPiece));
     if (n < 0 && errno == EINTR) continue;
+    if (n < 0 && errno == EAGAIN && is_direct_) {
+      wait_for_room(file_);
+      continue;
+    }
     if (n < 0) return fail(errno);
     bytes.remove_prefix(static_cast<std::size_t>(n));
     written_ += n;
@@ -224,9 +261,7 @@ Status TemporaryFile::prepare() {
 Status TemporaryFile::check() {
   if (stop_.stop_requested()) fail(ECANCELED);
   if (failure_ == 0) return ok();
-  if (failure_ == ECANCELED)
-    return Error{
-        ErrorCode::cancelled, fmt::format("interrupted; {} was not written", shown_), {}, {}};
+  if (failure_ == ECANCELED) return not_written(shown_);
   return cannot_write(shown_, failure_);
 }
 

@@ -2,6 +2,7 @@
 #include "picture/parts/check_picture.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -41,12 +42,30 @@ Status check_indices(const PictureMesh& mesh) {
   return ok();
 }
 
+/// Whether all places are in the plane.
+Status check_places(const MeshFile& mesh) {
+  const auto is_finite = [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); };
+  const auto refuse = [](std::string message, Point p) {
+    return Error{ErrorCode::non_finite_coordinate, std::move(message), {p}, {}};
+  };
+  for (std::size_t v = 0; v < mesh.soup.points.size(); ++v) {
+    if (const Point p = mesh.soup.points[v]; !is_finite(p))
+      return refuse(fmt::format("point {} is not finite", v), p);
+  }
+  for (std::size_t t = 0; t < mesh.middles.size(); ++t) {
+    for (const Point& p : mesh.middles[t])
+      if (!is_finite(p)) return refuse(fmt::format("a node of triangle {} is not finite", t), p);
+  }
+  return ok();
+}
+
 }  // namespace
 
 Status check_picture(const PictureMesh& mesh, const std::string& color) {
   const TriangleSoup& soup = mesh.mesh.soup;
   const std::size_t points = soup.points.size(), triangles = soup.triangles.size();
   if (Status status = check_indices(mesh); !status) return status;
+  if (Status status = check_places(mesh.mesh); !status) return status;
   Status status = check_size("the array of regions", soup.region.size(), triangles, "triangles");
   if (status)
     status = check_size("the array of materials", soup.material.size(), triangles, "triangles");

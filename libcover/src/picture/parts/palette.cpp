@@ -59,6 +59,13 @@ Colour contact_colour(std::size_t n) {
   return kChosen[n % kChosen.size()];
 }
 
+double part_of(double value, double low, double high) {
+  if (!(high > low) || !std::isfinite(value)) return 0;
+  // Halves where no double is as large as the range.
+  const double scale = std::isfinite(high - low) && std::isfinite(value - low) ? 1 : 0.5;
+  return std::clamp((scale * value - scale * low) / (scale * high - scale * low), 0.0, 1.0);
+}
+
 Colour value_colour(double t) {
   // Nine samples of the map known as viridis, linear between.
   constexpr std::array<Colour, 9> kMap{{{68, 1, 84},

@@ -2,11 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <future>
+#include <iterator>
 #include <sstream>
 #include <stop_token>
+#include <string>
+#include <thread>
 #include <vector>
 
 #include "support/temporary_folder.hpp"
@@ -201,6 +208,55 @@ TEST(AtomicFile, WritesToADeviceDirectly) {
   file->write("gone");
   EXPECT_TRUE(file->commit());
   EXPECT_FALSE(fs::is_regular_file("/dev/null"));
+}
+
+TEST(AtomicFile, APipeWithoutAReaderOrWithASlowOneHeedsStops) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "pipe";
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  std::stop_source stop;
+  std::jthread later([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    stop.request_stop();
+  });
+  const auto nobody = AtomicFile::create(path, stop.get_token());
+  ASSERT_FALSE(nobody);
+  EXPECT_EQ(nobody.error().code, ErrorCode::cancelled);
+  later.join();
+  const std::string much(1 << 20, 'x');  // more than a pipe holds
+  for (const bool reads : {true, false}) {
+    stop = {};
+    std::string got;
+    std::promise<void> written;
+    std::jthread reader([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      std::ifstream pipe(path);
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      if (reads) {
+        got.assign(std::istreambuf_iterator<char>(pipe), {});
+      } else {
+        stop.request_stop();
+        written.get_future().wait();
+      }
+    });
+    Status status = ok();
+    {
+      auto file = AtomicFile::create(path, stop.get_token());
+      ASSERT_TRUE(file) << file.error().message;
+      file->write(much);
+      status = file->commit();
+    }
+    written.set_value();
+    reader.join();
+    if (reads) {
+      EXPECT_TRUE(status);
+      EXPECT_TRUE(got == much);
+    } else {
+      ASSERT_FALSE(status);
+      EXPECT_EQ(status.error().code, ErrorCode::cancelled);
+    }
+  }
+  EXPECT_TRUE(fs::is_fifo(path));
 }
 
 }  // namespace
