@@ -1,5 +1,7 @@
 #include "arrays.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -7,16 +9,48 @@
 namespace cover::python {
 namespace {
 
-std::vector<Point> points_from(const py::handle& value, const char* what) {
-  const auto given = py::array::ensure(value);
+constexpr double kAllWhole = 9007199254740992;  ///< 2^53: up to there, doubles have every integer
+
+/// Raises ValueError where a whole number is not a double: to round it would move a point.
+void refuse_rounded(const py::handle& number, const std::string& what) {
+  if (!PyLong_Check(number.ptr())) return;
+  const double rounded = PyLong_AsDouble(number.ptr());
+  const bool overflows = rounded == -1 && PyErr_Occurred() != nullptr;
+  if (overflows) PyErr_Clear();
+  if (overflows || (std::abs(rounded) >= kAllWhole && !py::float_(rounded).equal(number)))
+    throw py::value_error(what + ": no double is " + std::string(py::str(number)) +
+                          "; numbers above 2^53 are rounded, give a float if that is meant");
+}
+
+bool has_large(const py::array& array, const std::string& what) {
+  const auto doubles = converted<Points>(array, what);
+  const double* const all = doubles.data();
+  return std::any_of(all, all + doubles.size(), [](double x) { return std::abs(x) >= kAllWhole; });
+}
+
+/// The same of all numbers of an array; `given` is what it was made of: of a list in which a float
+/// stands, numpy makes floats.
+void refuse_rounded(const py::array& array, const py::handle& given, const std::string& what) {
+  const char kind = array.dtype().kind();
+  const bool was_list = kind == 'f' && !py::hasattr(given, "dtype");
+  const bool is_whole = kind == 'i' || kind == 'u';
+  if (kind != 'O' && !((was_list || is_whole) && has_large(array, what))) return;
+  const py::object numbers = py::module_::import("numpy").attr("array")(
+      was_list ? given : py::handle(array), py::arg("dtype") = "object");
+  for (const py::handle& number : numbers.attr("ravel")()) refuse_rounded(number, what);
+}
+
+std::vector<Point> points_from(const py::handle& value, const std::string& what) {
+  const std::string words = what + " must be numbers of the shape (n, 2)";
+  refuse_masked(value, what);
+  const auto given = converted<py::array>(value, words);
   // Casting leaves out an imaginary part.
-  const bool is_complex = given && given.dtype().kind() == 'c';
-  const Points array = is_complex ? Points() : Points::ensure(value);
-  if (is_complex || !array)
-    throw py::type_error(std::string(what) + " must be numbers of the shape (n, 2)");
+  if (given.dtype().kind() == 'c') throw py::type_error(words);
+  refuse_rounded(given, value, what);
+  const auto array = converted<Points>(given, words);
   if (array.size() == 0) return {};
   if (array.ndim() != 2 || array.shape(1) != 2)
-    throw py::value_error(std::string(what) + " must have the shape (n, 2)");
+    throw py::value_error(what + " must have the shape (n, 2)");
   const auto view = array.unchecked<2>();
   std::vector<Point> points;
   points.reserve(static_cast<std::size_t>(view.shape(0)));
@@ -25,23 +59,24 @@ std::vector<Point> points_from(const py::handle& value, const char* what) {
 }
 
 /// Whole numbers: those that are written as 1.0 count, 1.5 does not.
-Indices indices_from(const py::handle& value, const char* what) {
-  const auto array = py::array::ensure(value);
-  if (!array) throw py::type_error(std::string(what) + " must be indices");
+Indices indices_from(const py::handle& value, const std::string& what) {
+  refuse_masked(value, what);
+  const auto array = converted<py::array>(value, what + " must be indices");
   if (array.size() == 0) return Indices(py::ssize_t{0});  // numpy takes an empty list for floats
   const char kind = array.dtype().kind();
   // Those would wrap around to other numbers.
   if (kind == 'u' && array.itemsize() == sizeof(std::uint64_t)) {
     const auto largest = array.attr("max")().cast<std::uint64_t>();
     if (largest > std::uint64_t{std::numeric_limits<std::int64_t>::max()})
-      throw py::index_error(std::string(what) + ": there is no index " + std::to_string(largest));
+      throw py::index_error(what + ": there is no index " + std::to_string(largest));
   }
   if (kind == 'i' || kind == 'u')
-    return Indices::ensure(array.attr("astype")("int64", py::arg("copy") = false));
-  if (kind != 'f') throw py::type_error(std::string(what) + " must be indices: whole numbers");
-  Indices indices = Indices::ensure(array.attr("astype")("int64"));
+    return Indices(py::object(array.attr("astype")("int64", py::arg("copy") = false)));
+  if (kind != 'f') throw py::type_error(what + " must be indices: whole numbers");
+  refuse_rounded(array, value, what);
+  const Indices indices(py::object(array.attr("astype")("int64")));
   if (!py::bool_(array.attr("__eq__")(indices).attr("all")()))
-    throw py::value_error(std::string(what) + " must be indices: whole numbers, of 0 and more");
+    throw py::value_error(what + " must be indices: whole numbers, of 0 and more");
   return indices;
 }
 
@@ -85,15 +120,43 @@ std::string name_from(const py::handle& value, const char* what) {
 
 /// A coordinate of a region.
 double coordinate_from(const py::handle& value) {
+  refuse_masked(value, "a region");
+  refuse_rounded(value, "a region");
   try {
-    return value.cast<double>();
-  } catch (const py::cast_error&) {
-    throw py::type_error("a region is (x, y, material) or (x, y, material, name), and " +
-                         std::string(py::repr(value)) + " is no coordinate");
+    return py::float_(py::reinterpret_borrow<py::object>(value));
+  } catch (py::error_already_set& raised) {
+    raise_because(raised, PyExc_TypeError,
+                  "a region is (x, y, material) or (x, y, material, name), and " +
+                      std::string(py::repr(value)) + " is no coordinate");
   }
 }
 
+/// What has no mask.
+bool is_plain_number(const py::handle& value) {
+  return PyFloat_CheckExact(value.ptr()) != 0 || PyLong_CheckExact(value.ptr()) != 0;
+}
+
+void refuse_masked_array(const py::handle& value, const std::string& what) {
+  if (is_plain_number(value) || !py::hasattr(value, "dtype") || !py::hasattr(value, "mask")) return;
+  if (py::bool_(py::module_::import("numpy").attr("ma").attr("is_masked")(value)))
+    throw py::value_error(what + ": a value is masked, so there is no number to take");
+}
+
 }  // namespace
+
+void refuse_masked(const py::handle& value, const std::string& what) {
+  if (is_plain_number(value) || py::isinstance<py::str>(value)) return;
+  if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) {
+    for (const py::handle& item : value) {
+      if (!py::isinstance<py::list>(item) && !py::isinstance<py::tuple>(item))
+        refuse_masked(item, what);
+      else
+        for (const py::handle& number : item) refuse_masked_array(number, what);
+    }
+  } else {
+    refuse_masked_array(value, what);
+  }
+}
 
 Input pslg_from(const py::object& points, const py::object& ends, const py::list& regions,
                 const py::object& holes, const py::dict& lines) {
@@ -155,15 +218,16 @@ py::array_t<double> array_of(const std::vector<Point>& points) {
     view(i, 0) = points[static_cast<std::size_t>(i)].x;
     view(i, 1) = points[static_cast<std::size_t>(i)].y;
   }
-  return array;
+  return read_only(std::move(array));
 }
 
 py::array_t<std::int64_t> array_of(const std::vector<std::int64_t>& values) {
-  return py::array_t<std::int64_t>(static_cast<py::ssize_t>(values.size()), values.data());
+  return read_only(
+      py::array_t<std::int64_t>(static_cast<py::ssize_t>(values.size()), values.data()));
 }
 
 py::array_t<double> array_of(const std::vector<double>& values) {
-  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+  return read_only(py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data()));
 }
 
 }  // namespace cover::python

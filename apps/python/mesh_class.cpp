@@ -21,6 +21,7 @@
 #include "pickle.hpp"
 #include "py_mesh.hpp"
 #include "raise.hpp"
+#include "run.hpp"
 
 namespace py = pybind11;
 
@@ -153,25 +154,31 @@ py::object report_of(const PyMesh& mesh) {
 
 /// A mesh file or a picture, as the extension says.
 void save(const py::object& self, const py::object& path, const py::kwargs& keywords) {
-  const auto& mesh = self.cast<const PyMesh&>();
+  auto& mesh = self.cast<PyMesh&>();
   const std::string name = py::module_::import("os").attr("fsencode")(path).cast<std::string>();
   check_path(name);
   const std::string extension = extension_of(name);
-  const WriteOptions options = write_options_from(keywords);
+  auto [options, given] = write_options_from(keywords);
   std::vector<std::string> known = write_formats();
   known.insert(known.end(), {".svg", ".png"});
   if (std::find(known.begin(), known.end(), extension) == known.end())
     raise(unknown_output_format(name, known));
+  for (std::string& idle : idle_write_options(given, extension)) {
+    if (std::find(mesh.remarks.begin(), mesh.remarks.end(), idle) == mesh.remarks.end())
+      mesh.remarks.push_back(std::move(idle));
+  }
   if (extension == ".png") {
     py::module_::import("cover._png").attr("write_png")(self, py::bytes(name), options.order);
     return;
   }
-  const Status status = [&]() -> Status {
-    const py::gil_scoped_release release;
-    if (extension == ".svg") return write_svg(picture_of(mesh.output, options.order), {}, name);
-    return write_mesh(mesh.output, name, options);
-  }();
-  if (!status) raise(status.error());
+  Callables callables;
+  options.stop = callables.token();
+  run(callables, [&, &chosen = options]() -> Status {
+    if (extension != ".svg") return write_mesh(mesh.output, name, chosen);
+    PictureOptions picture;
+    picture.stop = chosen.stop;
+    return write_svg(picture_of(mesh.output, chosen.order), picture, name);
+  });
 }
 
 /// What verify_cover() finds; see the words for Python below.
@@ -180,14 +187,22 @@ std::vector<std::string> violations(const PyMesh& mesh) {
     throw py::value_error(
         "this mesh was read, copied or pickled: the input with which it would be compared is not "
         "there; 'cover check INPUT MESH' compares a file with its input");
-  const Verification found = [&] {
-    const py::gil_scoped_release release;
+  Callables nothing;
+  const Verification found = run(nothing, [&]() -> Result<Verification> {
     return verify_cover(mesh.output.pslg, mesh.output.table, mesh.soup, *mesh.promises);
-  }();
+  });
   std::vector<std::string> messages;
   for (const Violation& v : found.violations) messages.push_back(v.message);
   return messages;
 }
+
+constexpr const char* kMesh =
+    "A mesh with all that is known of it. Its arrays are copies, and read-only: writing to them "
+    "would not change the mesh; points.copy() may be changed.\n\n"
+    "A mesh that was pickled or copied is the same, with its report and its notes, but for the "
+    "input of its run: violations() has nothing to compare it with, save('x.poly') writes the "
+    "edges on lines as the mesh has them, and edges on lines and arcs may come in another order "
+    "and direction.";
 
 constexpr const char* kViolations =
     "Checks the mesh against the input of its run, in exact arithmetic and by code that makes no "
@@ -205,7 +220,7 @@ void check_path(const std::string& path) {
 }
 
 void define_mesh(py::module_& module) {
-  py::class_<PyMesh>(module, "Mesh")
+  py::class_<PyMesh>(module, "Mesh", kMesh)
       .def_property_readonly(
           "points", [](const PyMesh& m) { return array_of(m.soup.points); },
           "(n, 2) floats: the vertices.")
@@ -247,14 +262,18 @@ void define_mesh(py::module_& module) {
       .def_property_readonly("report", &report_of,
                              "The report as a dictionary, as that of `cover mesh --report`. That "
                              "of a mesh that was read has no regions.")
+      .def_property_readonly(
+          "_remarks", [](const PyMesh& m) { return m.remarks; },
+          "Sentences on options of save() that had no effect.")
       .def("save", &save, py::arg("path"),
            "Writes a mesh file, or with .svg or .png a picture, as the extension says. "
            "write_options() lists what else it takes.")
       .def("violations", &violations, kViolations)
       .def("__reduce__",
            [](const PyMesh& m) {
-             return py::make_tuple(py::module_::import("cover").attr("_mesh_of_state"),
-                                   py::make_tuple(pickled(m.output, m.soup, report_text(m))));
+             return py::make_tuple(
+                 py::module_::import("cover").attr("_mesh_of_state"),
+                 py::make_tuple(pickled(m.output, m.soup, report_text(m), m.remarks)));
            })
       .def("__repr__", [](const PyMesh& m) {
         return "<cover.Mesh: " + std::to_string(m.soup.points.size()) + " points, " +

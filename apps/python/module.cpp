@@ -1,17 +1,12 @@
 // The Python module: numpy arrays in, numpy arrays out. No geometry here.
 //
-// A run works on a thread of its own without the GIL, while the calling thread looks for signals,
-// so that Ctrl-C stops a run and other Python threads go on. The progress callback takes the GIL
-// for its call only; what it raises stops the run and comes out of the call.
+// A run works on a thread of its own, see run.hpp. The progress callback takes the GIL for its call
+// only; what it raises stops the run and comes out of the call.
 #include <array>
-#include <atomic>
-#include <chrono>
 #include <cmath>
-#include <exception>
-#include <filesystem>
-#include <future>
-#include <stop_token>
-#include <thread>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
@@ -37,6 +32,7 @@
 #include "py_mesh.hpp"
 #include "raise.hpp"
 #include "read_geometry.hpp"
+#include "run.hpp"
 
 namespace py = pybind11;
 
@@ -46,71 +42,29 @@ namespace {
 /// False, also numpy's; None is not.
 bool is_false(const py::object& answer) {
   if (answer.ptr() == Py_False) return true;
-  return py::hasattr(answer, "dtype") && PyObject_IsTrue(answer.ptr()) == 0;
+  if (!py::hasattr(answer, "dtype")) return false;
+  const int truth = PyObject_IsTrue(answer.ptr());
+  if (truth < 0) throw py::error_already_set();  // an array of several values has none
+  return truth == 0;
 }
 
-/// The callables of a caller: whatever one of them raises stops the run. They are called from other
-/// threads, with the GIL; what is here is written with it, too.
-class Callables {
- public:
-  /// Calls `use` with the GIL; `otherwise` where it raises, and after that.
-  template <class Value, class Use>
-  Value call(Use use, Value otherwise) {
-    const py::gil_scoped_acquire gil;
-    if (raised_) return otherwise;
-    try {
-      return use();
-    } catch (...) {
-      raised_ = std::current_exception();
-      stop_.request_stop();
-      return otherwise;
-    }
-  }
-  void request_stop() { stop_.request_stop(); }
-  [[nodiscard]] std::stop_token token() const { return stop_.get_token(); }
-  void rethrow() const {
-    if (raised_) std::rethrow_exception(raised_);
-  }
-
- private:
-  std::stop_source stop_;
-  std::exception_ptr raised_;
-};
-
-/// Runs `work(callbacks)` on another thread and waits for it; see the head of this file.
-template <class Work>
-auto run(const py::object& progress, Callables& callables, Work work) {
+/// Where `progress` goes.
+Callbacks callbacks_of(const py::object& progress, Callables& callables) {
   Callbacks callbacks;
   callbacks.stop = callables.token();
-  if (!progress.is_none()) {
-    callbacks.progress = [&](const Progress& p) {
-      const bool goes_on = callables.call(
-          [&] { return !is_false(progress(std::string(p.stage), p.done, p.total)); }, true);
-      if (!goes_on) callables.request_stop();
-    };
-  }
-  bool interrupted = false;
-  auto result = [&] {
-    const py::gil_scoped_release release;
-    auto future = std::async(std::launch::async, [&] { return work(callbacks); });
-    while (future.wait_for(std::chrono::milliseconds(50)) == std::future_status::timeout) {
-      const py::gil_scoped_acquire gil;
-      if (interrupted || PyErr_CheckSignals() == 0) continue;
-      interrupted = true;
-      callables.request_stop();
-    }
-    return future.get();
-  }();
-  callables.rethrow();
-  if (interrupted) throw py::error_already_set();  // PyErr_CheckSignals has set it
-  if (!result) raise(result.error());
-  return std::move(result).value();
+  if (progress.is_none()) return callbacks;
+  callbacks.progress = [&](const Progress& p) {
+    const bool goes_on = callables.call(
+        [&] { return !is_false(progress(std::string(p.stage), p.done, p.total)); }, true);
+    if (!goes_on) callables.request_stop();
+  };
+  return callbacks;
 }
 
-/// `report`: of a mesh that was pickled.
-PyMesh py_mesh_of(Output output, std::string report = {}) {
+/// `report` and `remarks`: of a mesh that was pickled.
+PyMesh py_mesh_of(Output output, std::string report = {}, std::vector<std::string> remarks = {}) {
   TriangleSoup soup = triangle_soup(output.mesh);
-  return {std::move(output), std::move(soup), std::move(report), {}};
+  return {std::move(output), std::move(soup), std::move(report), {}, std::move(remarks)};
 }
 
 /// What a mesh made with `options` promises, against the PSLG of its run: segments that the run cut
@@ -149,12 +103,11 @@ PyMesh mesh_input(Input input, py::dict keywords, const py::object& progress,
     options.size_field_name = "a function";
   }
   input.warnings.insert(input.warnings.end(), idle.begin(), idle.end());
-  Output output = run(progress, callables,
-                      [&, &chosen = options](const Callbacks& callbacks) -> Result<Output> {
-                        if (Status status = load_size_field(chosen, input); !status)
-                          return std::move(status).error();
-                        return cover_mesh(input, chosen, callbacks);
-                      });
+  const Callbacks callbacks = callbacks_of(progress, callables);
+  Output output = run(callables, [&, &chosen = options]() -> Result<Output> {
+    if (Status status = load_size_field(chosen, input); !status) return std::move(status).error();
+    return cover_mesh(input, chosen, callbacks);
+  });
   std::vector<Provenance::Setting>& settings = output.report.provenance.settings;
   settings.insert(settings.end(), read_with.begin(), read_with.end());
   const std::vector<std::string> unmet = unmet_requirements(output, options);
@@ -170,25 +123,22 @@ PyMesh mesh_input(Input input, py::dict keywords, const py::object& progress,
 /// A mesh that cover wrote.
 PyMesh read_saved(const std::string& path) {
   check_path(path);
-  Result<Output> output = [&] {
-    const py::gil_scoped_release release;
-    return read_output(path);
-  }();
-  if (!output) raise(output.error());
-  return py_mesh_of(*std::move(output));
+  Callables nothing;
+  return py_mesh_of(run(nothing, [&] { return read_output(path); }));
 }
 
 /// Meshes a file; its options are those of reading and of meshing.
 PyMesh mesh_file(const std::string& path, py::dict keywords, const py::object& progress) {
   check_path(path);
-  ReadOptions options = take_read_options(keywords);
+  auto [options, given] = take_read_options(keywords);
   if (keywords.contains("threads"))
     options.threads =
         options_from(py::dict(py::arg("threads") = keywords["threads"])).options.threads;
   Callables nothing;  // what is pressed meanwhile counts once the file is read
-  Input input = run(py::none(), nothing, [&, &chosen = options](const Callbacks& /*none*/) {
-    return reading::read_geometry(path, chosen);
-  });
+  Input input =
+      run(nothing, [&, &chosen = options] { return reading::read_geometry(path, chosen); });
+  const std::vector<std::string> idle = idle_read_options(given, options, path);
+  input.warnings.insert(input.warnings.end(), idle.begin(), idle.end());
   return mesh_input(std::move(input), keywords, progress, describe_read_options(options));
 }
 
@@ -239,6 +189,7 @@ PYBIND11_MODULE(_cover, module) {
 
   module.attr("__version__") = COVER_VERSION;
 
+  stop_runs_at_exit();
   define_mesh(module);
   module.def("options", &described<cover::option_table>);
   module.def("read_options", &described<cover::read_option_table>);
@@ -261,7 +212,7 @@ PYBIND11_MODULE(_cover, module) {
   module.def("mesh_file", &mesh_file);
   module.def("read", &read_saved);
   module.def("mesh_of_state", [](const py::tuple& state) {
-    auto [output, report] = unpickled(state);
-    return py_mesh_of(std::move(output), std::move(report));
+    auto [output, report, remarks] = unpickled(state);
+    return py_mesh_of(std::move(output), std::move(report), std::move(remarks));
   });
 }

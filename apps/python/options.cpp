@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <string>
 
+#include <cover/files.hpp>
 #include <cover/option_table.hpp>
-#include <cover/read_option_table.hpp>
-#include <cover/write_option_table.hpp>
 
+#include "arrays.hpp"
 #include "raise.hpp"
 
 namespace py = pybind11;
@@ -18,11 +18,15 @@ namespace {
 std::string shown(const py::handle& value) {
   constexpr std::size_t kMost = 60;
   std::string text = py::repr(value);
-  return text.size() > kMost ? text.substr(0, kMost) + "..." : text;
+  if (text.size() <= kMost) return text;
+  std::size_t size = kMost;
+  while ((static_cast<unsigned char>(text[size]) & 0xC0U) == 0x80U) --size;  // whole letters
+  return text.substr(0, size) + "...";
 }
 
 /// numpy's numbers and arrays as Python's numbers and lists; all else as it is.
 py::object plain(const py::handle& value) {
+  refuse_masked(value, "an option");
   const bool is_numpy = py::hasattr(value, "dtype") && py::hasattr(value, "tolist");
   return is_numpy ? py::object(value.attr("tolist")()) : py::reinterpret_borrow<py::object>(value);
 }
@@ -116,7 +120,7 @@ class Value {
     std::vector<std::string> all;
     for (const py::handle& item : value.attr("items")()) {
       const auto pair = py::reinterpret_borrow<py::tuple>(item);
-      const std::string name = py::str(pair[0]);
+      const std::string name = bytes_of(py::str(pair[0]));
       all.push_back((name.empty() ? "" : name + "=") + text(pair[1]));
     }
     return all;
@@ -144,8 +148,9 @@ class Value {
       if (entry_.alone.empty()) refuse_type(value);
       return std::string(entry_.alone);
     }
-    if (py::isinstance<py::str>(value)) return py::str(value);
-    if (py::hasattr(value, "__fspath__")) return py::str(value.attr("__fspath__")());
+    if (py::isinstance<py::str>(value)) return bytes_of(value);
+    if (py::hasattr(value, "__fspath__"))
+      return py::module_::import("os").attr("fsencode")(value).cast<std::string>();
     if (PyIndex_Check(value.ptr()) != 0) return py::str(py::int_(value));
     if (PyNumber_Check(value.ptr()) == 0 || PyComplex_Check(value.ptr()) != 0) refuse_type(value);
     return py::repr(py::float_(value));
@@ -183,15 +188,23 @@ struct Named {
 /// there.
 template <class Target>
 bool set_in(const OptionOf<Target>* (*find)(std::string_view), const std::string& key,
-            const py::handle& value, Target& options) {
+            const py::handle& value, Given<Target>& given) {
   const auto named = Named<Target>::in(find, key);
   if (named.entry == nullptr) return false;
   const Value<Target> argument(key, *named.entry);
   for (const std::string& text : named.texts(argument, value)) {
-    if (const Status status = named.entry->set(*named.entry, text, options); !status)
+    if (const Status status = named.entry->set(*named.entry, text, given.options); !status)
       argument.refuse(status.error());
+    if (text != "false") given.entries.push_back(named.entry);
   }
   return true;
+}
+
+/// What is said of an option that was given and has no effect.
+template <class Target>
+std::string does_nothing(const OptionOf<Target>& entry) {
+  return "the option " + std::string(entry.name) + " does nothing: it counts with " +
+         std::string(entry.counts_with) + " only";
 }
 
 Named<Options> find_keyword(const std::string& key) {
@@ -217,31 +230,50 @@ Keywords options_from(const py::dict& keywords) {
   Result<Options> options = reader.result();
   if (!options) raise(options.error());
   Keywords out{*std::move(options), {}};
-  for (const OptionEntry* entry : reader.idle())
-    out.idle.push_back("the option " + std::string(entry->name) + " does nothing: it counts with " +
-                       std::string(entry->counts_with) + " only");
+  for (const OptionEntry* entry : reader.idle()) out.idle.push_back(does_nothing(*entry));
   return out;
 }
 
-ReadOptions take_read_options(py::dict& keywords) {
-  ReadOptions options;
+Given<ReadOptions> take_read_options(py::dict& keywords) {
+  Given<ReadOptions> given;
   py::dict rest;
   for (const auto& [name, value] : keywords) {
     const std::string key = py::str(name);
-    if (!set_in(find_read_option, key, value, options)) rest[name] = value;
+    if (!set_in(find_read_option, key, value, given)) rest[name] = value;
   }
   keywords = rest;
-  return options;
+  return given;
 }
 
-WriteOptions write_options_from(const py::dict& keywords) {
-  WriteOptions options;
+Given<WriteOptions> write_options_from(const py::dict& keywords) {
+  Given<WriteOptions> given;
   for (const auto& [name, value] : keywords) {
     const std::string key = py::str(name);
-    if (!set_in(find_write_option, key, value, options))
+    if (!set_in(find_write_option, key, value, given))
       throw py::type_error("unexpected option '" + key + "'");
   }
-  return options;
+  return given;
+}
+
+std::vector<std::string> idle_read_options(const std::vector<const ReadOptionEntry*>& given,
+                                           ReadOptions options, const std::string& path) {
+  if (options.format.empty()) options.format = extension_of(path);
+  std::vector<std::string> sentences;
+  for (const ReadOptionEntry* entry : given)
+    if (entry->counts != nullptr && !entry->counts(options))
+      sentences.push_back(does_nothing(*entry));
+  return sentences;
+}
+
+std::vector<std::string> idle_write_options(const std::vector<const WriteOptionEntry*>& given,
+                                            const std::string& extension) {
+  const bool is_picture = extension == ".svg" || extension == ".png";
+  std::vector<std::string> sentences;
+  for (const WriteOptionEntry* entry : given) {
+    const bool is_drawn = is_picture && entry->name == "order";
+    if (!is_drawn && !counts_with(*entry, extension)) sentences.push_back(does_nothing(*entry));
+  }
+  return sentences;
 }
 
 }  // namespace cover::python

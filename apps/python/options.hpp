@@ -7,8 +7,8 @@
 #include <pybind11/pybind11.h>
 
 #include <cover/options.hpp>
-#include <cover/read_options.hpp>
-#include <cover/write_options.hpp>
+#include <cover/read_option_table.hpp>
+#include <cover/write_option_table.hpp>
 
 namespace cover::python {
 
@@ -25,12 +25,27 @@ struct Keywords {
 ///         value that is not allowed.
 Keywords options_from(const pybind11::dict& keywords);
 
+/// Options of reading or of writing, and which of them were given.
+template <class Target>
+struct Given {
+  Target options;
+  std::vector<const OptionOf<Target>*> entries;
+};
+
 /// Takes the options of read_option_table() out of `keywords`.
 /// Raises: as options_from()
-ReadOptions take_read_options(pybind11::dict& keywords);
+Given<ReadOptions> take_read_options(pybind11::dict& keywords);
 
 /// The options of write_option_table().
 /// Raises: as options_from()
-WriteOptions write_options_from(const pybind11::dict& keywords);
+Given<WriteOptions> write_options_from(const pybind11::dict& keywords);
+
+/// Sentences on those of the options that have no effect on reading `path`.
+std::vector<std::string> idle_read_options(const std::vector<const ReadOptionEntry*>& given,
+                                           ReadOptions options, const std::string& path);
+
+/// The same of writing a file with this extension: a mesh or a picture.
+std::vector<std::string> idle_write_options(const std::vector<const WriteOptionEntry*>& given,
+                                            const std::string& extension);
 
 }  // namespace cover::python

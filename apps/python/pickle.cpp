@@ -61,9 +61,10 @@ py::array_t<std::int64_t> pickled_ids(const Output& output) {
 
 template <class Number>
 py::array_t<Number, py::array::c_style> array_in(const py::handle& value, py::ssize_t columns) {
-  auto array = py::array_t<Number, py::array::c_style>::ensure(value);
+  const auto array =
+      converted<py::array_t<Number, py::array::c_style>>(value, "this is no state of a cover.Mesh");
   const bool fits =
-      array && (columns == 1 ? array.ndim() == 1 : array.ndim() == 2 && array.shape(1) == columns);
+      columns == 1 ? array.ndim() == 1 : array.ndim() == 2 && array.shape(1) == columns;
   if (!fits) throw py::value_error("this is no state of a cover.Mesh");
   return array;
 }
@@ -232,17 +233,103 @@ void take_periodic(const py::list& periodic, StoredMesh& stored) {
 py::tuple pickled_provenance(const Provenance& from) {
   py::list settings;
   for (const Provenance::Setting& setting : from.settings)
-    settings.append(py::make_tuple(setting.name, setting.value));
-  return py::make_tuple(from.source, from.version, settings);
+    settings.append(py::make_tuple(setting.name, name_of(setting.value)));
+  return py::make_tuple(name_of(from.source), from.version, settings);
 }
 
 Provenance provenance_in(const py::tuple& from) {
-  Provenance out{from[0].cast<std::string>(), from[1].cast<std::string>(), {}};
+  Provenance out{bytes_of(from[0]), from[1].cast<std::string>(), {}};
   for (const py::handle& item : from[2].cast<py::list>()) {
     const auto row = item.cast<py::tuple>();
-    out.settings.push_back({row[0].cast<std::string>(), row[1].cast<std::string>()});
+    out.settings.push_back({row[0].cast<std::string>(), bytes_of(row[1])});
   }
   return out;
+}
+
+constexpr std::array kCounts{&Quality::triangles, &Quality::obtuse, &Quality::obtuse_by_rounding,
+                             &Quality::above_120, &Quality::above_150};
+
+py::tuple pickled_quality(const Quality& quality) {
+  py::list counts;
+  for (const auto count : kCounts) counts.append(quality.*count);
+  return py::make_tuple(counts, quality.largest_nu.in_radians(), quality.smallest.in_radians(),
+                        quality.histogram, quality.area);
+}
+
+Quality quality_in(const py::tuple& from) {
+  Quality quality;
+  const auto counts = from[0].cast<std::array<std::size_t, kCounts.size()>>();
+  for (std::size_t k = 0; k < kCounts.size(); ++k) quality.*kCounts[k] = counts[k];
+  quality.largest_nu = Angle::radians(from[1].cast<double>());
+  quality.smallest = Angle::radians(from[2].cast<double>());
+  quality.histogram = from[3].cast<decltype(quality.histogram)>();
+  quality.area = from[4].cast<double>();
+  return quality;
+}
+
+py::list pickled_notes(const std::vector<Note>& notes) {
+  py::list out;
+  for (const Note& note : notes)
+    out.append(py::make_tuple(static_cast<int>(note.kind), note.region.value(),
+                              name_of(note.message), array_of(note.where)));
+  return out;
+}
+
+std::vector<Note> notes_in(const py::list& from) {
+  std::vector<Note> notes;
+  for (const py::handle& item : from) {
+    const auto row = item.cast<py::tuple>();
+    const int kind = row[0].cast<int>();
+    if (kind < 0 || kind > static_cast<int>(Note::Kind::box_cut))
+      throw py::value_error("this is no state of a cover.Mesh");
+    Note note{static_cast<Note::Kind>(kind),
+              RegionId(row[1].cast<std::uint32_t>()),
+              bytes_of(row[2]),
+              {}};
+    const auto where = array_in<double>(row[3], 2);
+    for (py::ssize_t k = 0; k < where.shape(0); ++k)
+      note.where.push_back({where.at(k, 0), where.at(k, 1)});
+    notes.push_back(std::move(note));
+  }
+  return notes;
+}
+
+/// What a manifest tells of the run: rebuild() measures areas and lengths again, in another order.
+py::tuple pickled_figures(const Output& output) {
+  std::vector<double> areas, lengths;
+  for (const Region& region : output.table.regions) areas.push_back(region.area);
+  for (const Interface& line : output.table.interfaces) lengths.push_back(line.length);
+  py::list regions;
+  for (const RegionReport& region : output.report.regions)
+    regions.append(py::make_tuple(region.id.value(), pickled_quality(region.quality),
+                                  region.nu_opt.in_radians(), region.nu_bound.in_radians(),
+                                  region.bound_held, pickled_notes(region.notes)));
+  return py::make_tuple(array_of(areas), array_of(lengths), pickled_quality(output.report.quality),
+                        pickled_notes(output.report.notes), regions);
+}
+
+void take_figures(const py::tuple& from, Output& output) {
+  RegionTable& table = output.table;
+  const std::vector<double> areas = doubles_in(from[0], table.regions.size());
+  const std::vector<double> lengths = doubles_in(from[1], table.interfaces.size());
+  for (std::size_t r = 0; r < areas.size(); ++r) table.regions[r].area = areas[r];
+  for (std::size_t k = 0; k < lengths.size(); ++k) table.interfaces[k].length = lengths[k];
+  output.report.quality = quality_in(from[2].cast<py::tuple>());
+  output.report.notes = notes_in(from[3].cast<py::list>());
+  const auto regions = from[4].cast<py::list>();
+  if (!regions.empty() && regions.size() != table.regions.size())
+    throw py::value_error("this is no state of a cover.Mesh");
+  for (const py::handle& item : regions) {
+    const auto row = item.cast<py::tuple>();
+    RegionReport region;
+    region.id = RegionId(row[0].cast<std::uint32_t>());
+    region.quality = quality_in(row[1].cast<py::tuple>());
+    region.nu_opt = Angle::radians(row[2].cast<double>());
+    region.nu_bound = Angle::radians(row[3].cast<double>());
+    region.bound_held = row[4].cast<bool>();
+    region.notes = notes_in(row[5].cast<py::list>());
+    output.report.regions.push_back(std::move(region));
+  }
 }
 
 /// Of the points that segments have, those that were not in the input, where that is known.
@@ -253,18 +340,20 @@ std::size_t cut_vertices(const Output& output) {
 
 }  // namespace
 
-py::tuple pickled(const Output& output, const TriangleSoup& soup, const std::string& report) {
+py::tuple pickled(const Output& output, const TriangleSoup& soup, const std::string& report,
+                  const std::vector<std::string>& remarks) {
   return py::make_tuple(kPickleVersion, array_of(soup.points), array_of(soup.triangles),
                         array_of(soup.region), array_of(soup.material), pickled_ids(output),
                         pickled_regions(output.table), pickled_interfaces(output.table),
                         pickled_edges(output.mesh), output.pslg.points.size(), output.report.unit,
                         output.report.scale, report, pickled_attributes(output.table),
                         pickled_fields(output), pickled_arcs(output), pickled_periodic(output),
-                        pickled_provenance(output.report.provenance), cut_vertices(output));
+                        pickled_provenance(output.report.provenance), cut_vertices(output),
+                        pickled_figures(output), remarks);
 }
 
-std::pair<Output, std::string> unpickled(const py::tuple& state) {
-  constexpr std::size_t kMembers = 19;
+Unpickled unpickled(const py::tuple& state) {
+  constexpr std::size_t kMembers = 21;
   if (state.size() != kMembers || state[0].cast<int>() != kPickleVersion)
     throw py::value_error("this is no state of a cover.Mesh, or of another version");
   StoredMesh stored;
@@ -291,7 +380,9 @@ std::pair<Output, std::string> unpickled(const py::tuple& state) {
   for (std::size_t v = 0; v < output->pslg.point_ids.size() && v < ids.size(); ++v)
     output->pslg.point_ids[v] = static_cast<long>(ids[v]);
   take_values(state, *output);
-  return {std::move(output).value(), state[12].cast<std::string>()};
+  take_figures(state[19].cast<py::tuple>(), *output);
+  return {std::move(output).value(), state[12].cast<std::string>(),
+          state[20].cast<std::vector<std::string>>()};
 }
 
 }  // namespace cover::python

@@ -6,15 +6,17 @@
 #include <cover/picture.hpp>
 
 #include "py_mesh.hpp"
-#include "raise.hpp"
+#include "run.hpp"
 
 PYBIND11_MODULE(_png, module) {
+  cover::python::stop_runs_at_exit();
   module.def("write_png",
              [](const cover::python::PyMesh& mesh, const std::string& path, int order) {
-               const cover::Status status = [&] {
-                 const pybind11::gil_scoped_release release;
-                 return cover::write_png(cover::picture_of(mesh.output, order), {}, path);
-               }();
-               if (!status) cover::python::raise(status.error());
+               cover::python::Callables callables;
+               cover::PictureOptions options;
+               options.stop = callables.token();
+               cover::python::run(callables, [&] {
+                 return cover::write_png(cover::picture_of(mesh.output, order), options, path);
+               });
              });
 }

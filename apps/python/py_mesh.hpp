@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <cover/output.hpp>
 #include <cover/verify.hpp>
@@ -16,6 +17,7 @@ struct PyMesh {
   std::string report;  ///< of a mesh that was pickled, as JSON; else empty
   /// What it promises for Output::pslg and table; none where these were made of the mesh itself.
   std::optional<VerifyOptions> promises;
+  std::vector<std::string> remarks;  ///< on how it was saved, for its notes
 };
 
 }  // namespace cover::python

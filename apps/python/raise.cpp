@@ -22,13 +22,37 @@ const char* type_of(ErrorCode code) {
   }
 }
 
+py::str decoded(const std::string& bytes, const char* errors) {
+  auto text = py::reinterpret_steal<py::str>(
+      PyUnicode_DecodeUTF8(bytes.data(), static_cast<py::ssize_t>(bytes.size()), errors));
+  if (!text) throw py::error_already_set();
+  return text;
+}
+
 }  // namespace
+
+py::str words(const std::string& text) { return decoded(text, "backslashreplace"); }
+
+py::str name_of(const std::string& bytes) { return decoded(bytes, "surrogateescape"); }
+
+std::string bytes_of(const py::handle& name) {
+  const auto bytes = py::reinterpret_steal<py::bytes>(
+      PyUnicode_AsEncodedString(name.ptr(), "utf-8", "surrogateescape"));
+  if (!bytes) throw py::error_already_set();
+  return bytes;
+}
+
+void raise_because(py::error_already_set& raised, PyObject* type, const std::string& message) {
+  if (!raised.matches(PyExc_Exception) || raised.matches(PyExc_MemoryError)) throw;
+  py::raise_from(raised, type, message.c_str());
+  throw py::error_already_set();
+}
 
 void raise(const Error& error) { raise(error, py::none()); }
 
 void raise(const Error& error, const py::object& mesh) {
   const py::object type = py::module_::import("cover").attr(type_of(error.code));
-  const py::object raised = type(error.message);
+  const py::object raised = type(words(error.message));
   raised.attr("code") = static_cast<int>(error.code);
   py::list where;
   for (const Point& p : error.where) where.append(py::make_tuple(p.x, p.y));

@@ -94,9 +94,25 @@ def _by_name(lines, what):
     return lines or {}
 
 
+def _coordinate(x, what):
+    """The double that x is."""
+    if bool(getattr(x, "mask", False)):
+        raise ValueError(f"{what}: a value is masked, so there is no number to take")
+    if hasattr(x, "__index__") and not _is_double(int(x)):
+        raise ValueError(f"{what}: no double is {x}; numbers above 2^53 are rounded, give a float if that is meant")
+    return float(x)
+
+
+def _is_double(whole):
+    try:
+        return float(whole) == whole
+    except OverflowError:
+        return False
+
+
 def _plain(path, what):
     """A path as JSON has it: points as pairs, curves as dictionaries."""
-    plain = [item if isinstance(item, _Mapping) else [float(x) for x in item] for item in path]
+    plain = [item if isinstance(item, _Mapping) else [_coordinate(x, what) for x in item] for item in path]
     for point in plain:
         if not isinstance(point, _Mapping) and not all(map(_math.isfinite, point)):
             error = Error(f"the point ({', '.join(f'{x:g}' for x in point)}) of {what} is not finite")
@@ -211,7 +227,8 @@ def _no_constructor(cls, *_, **__):
 def _notes(self):
     """What `cover mesh` would warn of, of the whole and of its regions: sentences with coordinates and ids."""
     report = self.report
-    return [note["message"] for of in [report, *report.get("regions", ())] for note in of.get("notes", ())]
+    of_run = [note["message"] for of in [report, *report.get("regions", ())] for note in of.get("notes", ())]
+    return of_run + self._remarks
 
 
 def _to_vtk(self):

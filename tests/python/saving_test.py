@@ -1,0 +1,197 @@
+"""What a mesh keeps: its arrays, its notes on options without effect, all figures when it is pickled; and what happens
+around files that wait and an interpreter that ends."""
+import copy
+import json
+import os
+import pathlib
+import pickle
+import signal
+import subprocess
+import sys
+import tempfile
+import textwrap
+import threading
+import time
+import unittest
+
+import numpy as np
+
+import cover
+
+DATA = pathlib.Path(__file__).parents[2] / 'samples/data'
+SQUARE = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], dtype=float)
+RING = np.array([[0, 1], [1, 2], [2, 3], [3, 0]])
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.dir = pathlib.Path(folder.name)
+
+
+class Arrays(Case):
+    def test_are_read_only(self):
+        mesh = cover.mesh_file(DATA / 'coax_arcs.json')
+        arrays = [getattr(mesh, name) for name in ('points', 'triangles', 'region', 'material', 'input_id')]
+        arrays += [piece['edges'] for pieces in mesh.lines.values() for piece in pieces]
+        arrays += [mesh.arcs['edges'], mesh.arcs['middles']]
+        for array in arrays:
+            self.assertFalse(array.flags.writeable)
+            with self.assertRaisesRegex(ValueError, 'read-only'):
+                array[0] = 0
+        points = mesh.points.copy()
+        points[0] = 7
+        self.assertNotEqual(points[0].tolist(), mesh.points[0].tolist())
+        self.assertEqual(len(cover.mesh(mesh.points[:3], [(0, 1), (1, 2), (2, 0)]).points), 3)
+
+
+class Notes(Case):
+    def test_options_of_reading_without_effect(self):
+        mesh = cover.mesh_file(DATA / 'mosfet.poly', layer='metal', speckle=4, scale=2, crs=None, no_smooth=False)
+        for words in ('layer does nothing: it counts with drawings, layouts and maps only',
+                      'speckle does nothing: it counts with pictures only'):
+            self.assertIn(f'the option {words}', mesh.notes)
+        self.assertEqual(sum('does nothing' in note for note in mesh.notes), 2)
+        layout = cover.mesh_file(DATA / 'finfet.gds', layer_map=DATA / 'finfet.map', speckle=4)
+        self.assertEqual([note for note in layout.notes if 'does nothing' in note],
+                         ['the option speckle does nothing: it counts with pictures only'])
+
+    def test_options_of_writing_without_effect(self):
+        mesh = cover.mesh(SQUARE, RING)
+        before = mesh.notes
+        mesh.save(self.dir / 'x.msh', msh='4.1', ids='region')
+        mesh.save(self.dir / 'x.svg', order=2)
+        self.assertEqual(mesh.notes, before)
+        for _ in range(2):
+            mesh.save(self.dir / 'x.vtu', msh='4.1', lines=True, no_inner_lines=False)
+        added = ['the option msh does nothing: it counts with .msh only', 'the option lines does nothing: it counts with .vtk only']
+        self.assertEqual(mesh.notes, before + added)
+        self.assertEqual(pickle.loads(pickle.dumps(mesh)).notes, before + added)
+
+
+class Pickling(Case):
+    def manifest(self, mesh):
+        mesh.save(self.dir / 'x.json')
+        whole = json.loads((self.dir / 'x.json').read_text())
+        for line in whole['lines']:
+            line['edges'] = sorted(sorted(edge) for edge in line['edges'])
+        for arc in whole.get('arcs', ()):
+            arc['edges'] = sorted(sorted(edge) for edge in arc['edges'])
+        return whole
+
+    def test_figures_of_report_and_manifest(self):
+        for name, options in (('mosfet.poly', {'size': 20}), ('tft.json', {}), ('diode_layers.json', {}),
+                              ('motor_pole.json', {'split_interfaces': True, 'size': 2})):
+            mesh = cover.mesh_file(DATA / name, **options)
+            again = pickle.loads(pickle.dumps(mesh))
+            for other in again, copy.deepcopy(again):
+                self.assertEqual(other.report, mesh.report, name)
+                self.assertEqual(other.notes, mesh.notes, name)
+                self.assertEqual(self.manifest(other), self.manifest(mesh), name)
+
+    def test_what_was_read_has_no_figures_of_regions(self):
+        cover.mesh(SQUARE, RING).save(self.dir / 'x.vtkhdf')
+        mesh = cover.read(self.dir / 'x.vtkhdf')
+        self.assertEqual(self.manifest(pickle.loads(pickle.dumps(mesh))), self.manifest(mesh))
+
+    def test_broken_figures(self):
+        function, (state,) = cover.mesh(SQUARE, RING).__reduce__()
+        for k, value in (0, np.zeros(7)), (1, np.zeros(0)), (3, [(99, 0, 'x', np.zeros((0, 2)))]), (4, [()]):
+            figures = list(state[19])
+            figures[k] = value
+            with self.assertRaises((ValueError, TypeError, RuntimeError, IndexError)):
+                function((*state[:19], tuple(figures), state[20]))
+
+
+class Pipes(Case):
+    def setUp(self):
+        super().setUp()
+        self.pipe = self.dir / 'pipe.vtu'
+        os.mkfifo(self.pipe)
+        self.mesh = cover.mesh(SQUARE, RING, size=0.01, split_interfaces=True)
+        self.mesh.save(self.dir / 'file.vtu')
+        self.whole = (self.dir / 'file.vtu').read_bytes()
+        self.assertGreater(len(self.whole), 1 << 17)  # more than a pipe holds
+
+    def test_signals_while_it_waits(self):
+        seen, got = [], []
+        before = signal.signal(signal.SIGALRM, lambda *_: seen.append(1))
+
+        def read():
+            time.sleep(0.3)
+            with open(self.pipe, 'rb') as pipe:
+                time.sleep(0.3)
+                got.append(pipe.read())
+        reader = threading.Thread(target=read)
+        reader.start()
+        try:
+            signal.setitimer(signal.ITIMER_REAL, 0.05, 0.05)
+            self.mesh.save(self.pipe)
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+            signal.signal(signal.SIGALRM, before)
+        reader.join()
+        self.assertGreater(len(seen), 3)
+        self.assertEqual(got, [self.whole])
+
+    def test_ctrl_c_without_a_reader(self):
+        self.pipe.rename(self.dir / 'pipe')
+        for extension in 'vtu', 'msh', 'svg', 'png':
+            with self.subTest(extension):
+                pipe = (self.dir / 'pipe').rename(self.dir / f'pipe.{extension}')
+                threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
+                start = time.monotonic()
+                with self.assertRaises(KeyboardInterrupt):
+                    self.mesh.save(pipe)
+                self.assertLess(time.monotonic() - start, 5)
+                pipe.rename(self.dir / 'pipe')
+
+
+class Ends(Case):
+    """Of an interpreter while a thread that nobody waits for is at work."""
+
+    def leave(self, work):
+        program = textwrap.dedent('''
+            import sys, threading, time
+            import cover
+            import numpy as np
+            n = 2000
+            angles = 2 * np.pi * np.arange(n) / n
+            ring = np.column_stack([np.arange(n), (np.arange(n) + 1) % n])
+            points = np.column_stack([np.cos(angles), np.sin(angles)])
+            square = cover.mesh([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1), (1, 2), (2, 3), (3, 0)], size=0.01, split_interfaces=True)
+            folder, began = sys.argv[1], threading.Event()
+            def told(*_):
+                began.set()
+            def size(x, y):
+                began.set()
+                return 0.01
+            def forever(f):
+                while True:
+                    f()
+            ''') + f'threading.Thread(target=lambda: forever(lambda: {work}), daemon=True).start()\n' + textwrap.dedent('''
+            began.wait()
+            time.sleep(0.1)
+            print('leaving')
+            ''')
+        for _ in range(4):
+            done = subprocess.run([sys.executable, '-c', program, self.dir], text=True, timeout=60,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            self.assertEqual((done.returncode, done.stdout, done.stderr), (0, 'leaving\n', ''))
+
+    def test_sizes_by_function(self):
+        self.leave('cover.mesh(points, ring, size_field=size)')
+
+    def test_progress(self):
+        self.leave('cover.mesh(points, ring, size=0.01, progress=told)')
+
+    def test_without_callables(self):
+        self.leave('[began.set(), cover.mesh(points, ring, size=0.01)]')
+
+    def test_files_and_checks(self):
+        self.leave('[began.set(), square.save(f"{folder}/x.vtu"), cover.read(f"{folder}/x.vtu"), square.violations()]')
+
+
+if __name__ == '__main__':
+    unittest.main()
