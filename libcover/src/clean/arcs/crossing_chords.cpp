@@ -25,6 +25,8 @@ namespace {
 /// How often a chord is halved at most. Arcs so near that this does not part them are taken for a
 /// mistake, such as one arc drawn twice with two radii, not worth thousands of chords.
 constexpr int kMostHalvings = 4;
+/// Halving one chord lets it cross that of the next arc, and so on: so many arcs in a row.
+constexpr int kMostInARow = 64;
 /// Of the way along a chord: how well it is known where circles touch, the root of rounding.
 constexpr double kTouching = 0x1p-20;
 
@@ -42,22 +44,28 @@ bool cross_each_other(const InputChord& c, const InputChord& d) {
 
 class ChordParter {
  public:
-  explicit ChordParter(const Input& input) : input_(input), of_circle_(input.circles.size() + 1) {
+  explicit ChordParter(const Input& input) : input_(input) {
     for (const InputChord& chord : chords_of(input)) {
       const auto origin = static_cast<std::uint32_t>(chords_.size());
       chords_.push_back(chord);
-      pieces_.push_back({chord, origin, true});
-      of_circle_[chord.circle].push_back(origin);
+      pieces_.push_back({chord, origin});
     }
+    std::vector<Box> boxes;
+    boxes.reserve(chords_.size());
+    for (const InputChord& chord : chords_) boxes.push_back(box_around_arc(chord));
+    arcs_ = BoxTree(boxes);
   }
 
   void run() {
-    for (int round = 0;; ++round) {
-      const std::vector<bool> is_crossing = find_crossing(round == 0);
-      left_ = static_cast<std::size_t>(std::count(is_crossing.begin(), is_crossing.end(), true));
-      if (left_ == 0 || round == kMostHalvings) return;
-      halve(is_crossing);
+    for (int round = 0; round < kMostInARow; ++round) {
+      const std::vector<bool> is_crossing = find_crossing();
+      if (round == 0) note_places(is_crossing);
+      if (!halve(is_crossing)) break;
     }
+    if (where_.empty()) return;
+    for (Piece& piece : pieces_) piece.is_new = true;
+    const std::vector<bool> is_crossing = find_crossing();
+    left_ = static_cast<std::size_t>(std::count(is_crossing.begin(), is_crossing.end(), true));
   }
 
   [[nodiscard]] ChordCuts cuts() const {
@@ -99,15 +107,27 @@ class ChordParter {
   struct Piece {
     InputChord chord;
     std::uint32_t origin = 0;  ///< index into chords_
-    bool is_new = false;       ///< nobody has looked yet whether it crosses others
+    int halvings = 0;          ///< that it comes from
+    bool is_new = true;        ///< nobody has looked yet whether it crosses others
   };
 
   [[nodiscard]] ArcOver arc_over(const InputChord& chord) const {
     return {input_.circles[chord.circle - 1], chord.a, chord.b};
   }
 
-  /// By piece: whether it is to be halved.
-  std::vector<bool> find_crossing(bool is_first) {
+  /// Where the arc may be met, up to how well touching places are known.
+  [[nodiscard]] Box box_around_arc(const InputChord& chord) const {
+    const ArcOver arc = arc_over(chord);
+    const double away = length(arc.middle() - midpoint(chord.a, chord.b)) +
+                        2 * kTouching * length(chord.b - chord.a) + arc.rounding_at(chord.a);
+    Box box = box_of(std::array{chord.a, chord.b});
+    box.low = box.low + Vector{-away, -away};
+    box.high = box.high + Vector{away, away};
+    return box;
+  }
+
+  /// By piece: whether it is to be halved, for itself or for a new one.
+  std::vector<bool> find_crossing() {
     std::vector<Box> boxes;
     boxes.reserve(pieces_.size());
     for (const Piece& piece : pieces_)
@@ -122,10 +142,13 @@ class ChordParter {
       });
     }
     for (Piece& piece : pieces_) piece.is_new = false;
-    for (std::size_t k = 0; is_first && k < pieces_.size(); ++k) {
-      if (found[k]) where_.push_back(midpoint(pieces_[k].chord.a, pieces_[k].chord.b));
-    }
     return found;
+  }
+
+  void note_places(const std::vector<bool>& is_crossing) {
+    for (std::size_t k = 0; k < pieces_.size(); ++k) {
+      if (is_crossing[k]) where_.push_back(midpoint(pieces_[k].chord.a, pieces_[k].chord.b));
+    }
   }
 
   /// Whether what is drawn of two circles meets. Where it does, chords cross too, though not always
@@ -134,11 +157,13 @@ class ChordParter {
     const auto [known, is_new] = do_meet_.try_emplace(std::minmax(one, other), false);
     if (!is_new) return known->second;
     const auto is_drawn = [&](std::uint32_t circle, Point p) {
-      return std::any_of(of_circle_[circle].begin(), of_circle_[circle].end(),
-                         [&](std::uint32_t k) {
-                           const double share = arc_over(chords_[k]).share_of(p);
-                           return share >= -kTouching && share <= 1 + kTouching;
-                         });
+      bool is_there = false;
+      arcs_.visit(box_of(std::array{p}), [&](std::uint32_t k) {
+        if (is_there || chords_[k].circle != circle) return;
+        const double share = arc_over(chords_[k]).share_of(p);
+        is_there = share >= -kTouching && share <= 1 + kTouching;
+      });
+      return is_there;
     };
     for (const Point p : common_points(input_.circles[one - 1], input_.circles[other - 1]))
       known->second |= is_drawn(one, p) && is_drawn(other, p);
@@ -156,26 +181,29 @@ class ChordParter {
     if (by_d || !by_c) found[j] = true;
   }
 
-  void halve(const std::vector<bool>& is_crossing) {
+  /// False if none may be halved.
+  bool halve(const std::vector<bool>& is_crossing) {
+    const std::size_t before = pieces_.size();
     for (std::size_t k = 0; k < is_crossing.size(); ++k) {
-      if (!is_crossing[k]) continue;
+      if (!is_crossing[k] || pieces_[k].halvings == kMostHalvings) continue;
       const Piece whole = pieces_[k];
       const Point middle = arc_over(whole.chord).middle();
       const auto piece = [&](Point p) {
         InputChord chord = whole.chord;
         chord.a = std::min(p, middle);
         chord.b = std::max(p, middle);
-        return Piece{chord, whole.origin, true};
+        return Piece{chord, whole.origin, whole.halvings + 1};
       };
       pieces_[k] = piece(whole.chord.a);
       pieces_.push_back(piece(whole.chord.b));
     }
+    return pieces_.size() > before;
   }
 
   const Input& input_;
   std::vector<InputChord> chords_;  ///< as the input has them
   std::vector<Piece> pieces_;
-  std::vector<std::vector<std::uint32_t>> of_circle_;                ///< by its number: chords
+  BoxTree arcs_;  ///< around the arcs over chords_
   std::map<std::pair<std::uint32_t, std::uint32_t>, bool> do_meet_;  ///< by two numbers of circles
   std::vector<Point> where_;  ///< the middles of the chords that crossed at first
   std::size_t left_ = 0;      ///< pieces that still cross

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include <cover/cover_mesh.hpp>
@@ -40,6 +41,28 @@ TEST(CrossingChords, CirclesSideBySideHaveOneRegionBetweenThem) {
       << note.message;
   EXPECT_NE(note.message.find("a smaller --chord-angle"), std::string::npos) << note.message;
   EXPECT_EQ(note.where.size(), 72U);
+}
+
+// A chord that is halved crosses that of the next circle.
+TEST(CrossingChords, ManyThinRingsAreARegionEach) {
+  Input input;
+  for (int k = 0; k < 20; ++k) testing::add_circle(input, {0, 0}, 1 + 1e-3 * k, 32 + k);
+  const Result<Prepared> prepared = prepare(input);
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  EXPECT_EQ(prepared->table.regions.size(), 20U);
+}
+
+// None meets the outer one, but the chords of the outer one are looked up for each.
+TEST(CrossingChords, ManySmallCirclesThatTouchOneAreLeftAlone) {
+  Input input;
+  testing::add_circle(input, {0, 0}, 1, 720);
+  for (int k = 0; k < 24; ++k) {
+    const double turn = k * 3.14159265358979 / 12;
+    testing::add_circle(input, {1.02 * std::cos(turn), 1.02 * std::sin(turn)}, 0.02, 16);
+  }
+  std::vector<Note> notes;
+  EXPECT_FALSE(part_crossing_chords(input, notes));
+  EXPECT_TRUE(notes.empty());
 }
 
 TEST(CrossingChords, CirclesThatAreNearlyOneAreToldAsCrossing) {
