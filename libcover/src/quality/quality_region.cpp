@@ -15,6 +15,7 @@
 #include "geom/predicates.hpp"
 #include "options/intent.hpp"
 #include "quality/effort/effort.hpp"
+#include "quality/fault/missed_sizes.hpp"
 #include "quality/fault/missed_targets.hpp"
 #include "quality/mutable/to_region_mesh.hpp"
 #include "quality/plan/candidates.hpp"
@@ -55,6 +56,9 @@ class RegionWork {
     out.report.notes = missed_targets(
         *best.mesh, boundary_, options_,
         {candidates_.limit(), unreached(), candidates_.frame().origin()}, candidates_.team());
+    if (candidates_.has_sizes()) {
+      if (auto note = missed_sizes(boundary_, out)) out.report.notes.push_back(*std::move(note));
+    }
     return out;
   }
 
