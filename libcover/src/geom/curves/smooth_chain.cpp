@@ -33,6 +33,9 @@ constexpr int kMostRounds = 16;
 constexpr double kOverlap = 2.5;
 /// Chains of so few sides are features of one or two pixels.
 constexpr std::size_t kFewSides = 8;
+/// A turn between two straight pieces of so many sides each is a corner of what the picture shows,
+/// and no part of a curve: of lines and circles, one of two such pieces is a single side or two.
+constexpr std::size_t kSharp = 4;
 constexpr double kRaise = 2;  ///< of weights, where a curve is too far
 /// Points that are too far by less are moved one by one.
 constexpr double kPushed = 0.05;
@@ -324,10 +327,44 @@ std::vector<Point> simplified(const std::vector<Point>& curve, const std::vector
   return out;
 }
 
-}  // namespace
+/// Where a chain has sharp corners, of a loop that begins at a turn if there is one: indices of its
+/// corners, without the ends of a chain that has some.
+std::vector<std::size_t> sharp_corners(const PixelChain& chain) {
+  const std::vector<Point>& c = chain.corners;
+  const std::size_t last = c.size() - 1;
+  std::vector<std::size_t> turns{0};
+  for (std::size_t k = 1; k < last; ++k) {
+    if (cross(c[k] - c[k - 1], c[k + 1] - c[k]) != 0) turns.push_back(k);
+  }
+  turns.push_back(last);
+  const auto is_long = [&](std::size_t t) { return turns[t + 1] - turns[t] >= kSharp; };
+  std::vector<std::size_t> sharp;
+  if (chain.is_loop && turns.size() > 2 && is_long(0) && is_long(turns.size() - 2))
+    sharp.push_back(0);
+  for (std::size_t t = 1; t + 1 < turns.size(); ++t) {
+    if (is_long(t - 1) && is_long(t)) sharp.push_back(turns[t]);
+  }
+  return sharp;
+}
 
-std::vector<Point> smooth_chain(const PixelChain& chain, Smoothing smoothing) {
-  if (smoothing == Smoothing::none) return turns_of(chain);
+/// The same loop, from its corner `first` on.
+PixelChain begun_at(const PixelChain& loop, std::size_t first) {
+  PixelChain out{{}, true};
+  const std::size_t n = loop.corners.size() - 1;
+  for (std::size_t k = 0; k <= n; ++k) out.corners.push_back(loop.corners[(first + k) % n]);
+  return out;
+}
+
+/// A loop that begins at a turn, if it has any.
+PixelChain begun_at_a_turn(const PixelChain& loop) {
+  const std::vector<Point>& c = loop.corners;
+  for (std::size_t k = 1; k + 1 < c.size(); ++k) {
+    if (cross(c[k] - c[k - 1], c[k + 1] - c[k]) != 0) return begun_at(loop, k);
+  }
+  return loop;
+}
+
+std::vector<Point> smooth_between_corners(const PixelChain& chain, Smoothing smoothing) {
   std::vector<double> periods{0};
   if (smoothing >= Smoothing::little) periods.push_back(kPeriodLittle);
   if (smoothing == Smoothing::much) periods.push_back(kPeriodMuch);
@@ -343,6 +380,34 @@ std::vector<Point> smooth_chain(const PixelChain& chain, Smoothing smoothing) {
     return simplified(curve, corners);
   }
   return turns_of(chain);
+}
+
+}  // namespace
+
+std::vector<Point> smooth_chain(const PixelChain& chain, Smoothing smoothing) {
+  if (smoothing == Smoothing::none) return turns_of(chain);
+  PixelChain whole = chain.is_loop ? begun_at_a_turn(chain) : chain;
+  std::vector<std::size_t> sharp = sharp_corners(whole);
+  if (sharp.empty()) return smooth_between_corners(chain, smoothing);
+  if (whole.is_loop) {
+    const std::size_t first = sharp.front();
+    whole = begun_at(whole, first);
+    for (std::size_t& k : sharp) k -= first;
+  }
+  sharp.push_back(whole.corners.size() - 1);
+  std::vector<Point> curve{whole.corners.front()};
+  std::size_t from = 0;
+  for (const std::size_t to : sharp) {
+    if (to == 0) continue;
+    const auto begin = whole.corners.begin();
+    const PixelChain part{
+        {begin + static_cast<std::ptrdiff_t>(from), begin + static_cast<std::ptrdiff_t>(to) + 1},
+        false};
+    const std::vector<Point> smooth = smooth_between_corners(part, smoothing);
+    curve.insert(curve.end(), smooth.begin() + 1, smooth.end());
+    from = to;
+  }
+  return curve;
 }
 
 }  // namespace cover

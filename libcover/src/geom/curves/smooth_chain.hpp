@@ -26,8 +26,9 @@ enum class Smoothing {
   much,    ///< waves of up to 40 pixels
 };
 
-/// A curve along a chain, with the same ends. Of a loop, all points may move, and
-/// its first point is repeated last. Long straight pieces come out straight, and have few points.
+/// A curve along a chain, with the same ends. Of a loop, all points may move, and its first point
+/// is repeated last. Long straight pieces come out straight, and have few points. Corners between
+/// two straight pieces of four sides of pixels and more stay, so that rectangles are what they are.
 ///
 /// Source: least squares with a penalty on third differences (whittaker_1923_graduation), which
 ///         leaves quadratic curves as they are and so does not shrink circles

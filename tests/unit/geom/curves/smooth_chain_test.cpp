@@ -136,6 +136,41 @@ TEST(SmoothChain, CornersAndSmallThingsStayNear) {
   smoothed(cross_shape);
 }
 
+// From the middle of a side on, and from a corner on.
+TEST(SmoothChain, RectanglesAndTheirCornersStay) {
+  for (const int side : {4, 6, 20, 22, 100}) {
+    for (const int first : {0, side / 2}) {
+      std::vector<Point> around;
+      for (int k = 0; k < side; ++k) around.push_back({1.0 * k, 0});
+      for (int k = 0; k < 7; ++k) around.push_back({1.0 * side, 1.0 * k});
+      for (int k = side; k > 0; --k) around.push_back({1.0 * k, 7});
+      for (int k = 7; k > 0; --k) around.push_back({0, 1.0 * k});
+      std::rotate(around.begin(), around.begin() + first, around.end());
+      around.push_back(around.front());
+      std::vector<Point> curve = smooth_chain({around, true}, Smoothing::much);
+      ASSERT_EQ(curve.size(), 5U);
+      EXPECT_EQ(curve.front(), curve.back());
+      curve.pop_back();
+      std::sort(curve.begin(), curve.end());
+      const double s = side;
+      EXPECT_EQ(curve, (std::vector<Point>{{0, 0}, {0, 7}, {s, 0}, {s, 7}}));
+    }
+  }
+}
+
+// A step of four pixels is a corner, a step of one is what a line is drawn with.
+TEST(SmoothChain, HighStepsStayAndLowOnesDoNot) {
+  const auto with_step = [](int height) {
+    std::vector<Point> way;
+    for (int k = 0; k <= 30; ++k) way.push_back({1.0 * k, 0});
+    for (int k = 1; k <= height; ++k) way.push_back({30, 1.0 * k});
+    for (int k = 31; k <= 60; ++k) way.push_back({1.0 * k, 1.0 * height});
+    return smooth_chain({way, false}, Smoothing::much);
+  };
+  EXPECT_EQ(with_step(5), (std::vector<Point>{{0, 0}, {30, 0}, {30, 5}, {60, 5}}));
+  for (const Point& p : with_step(1)) EXPECT_TRUE(p.x != 30 || (p.y > 0 && p.y < 1));
+}
+
 TEST(SmoothChain, WithoutSmoothingTurnsStay) {
   const PixelChain square =
       border_of([](double x, double y) { return x > 2 && y > 3 && x < 7 && y < 9; }, 10);
