@@ -104,7 +104,7 @@ class Check(Case):
         diode = SAMPLES / 'diode.poly'
         out, _ = self.run_cover('check', diode, 'd.vtu')
         self.assertRegex(out, r'^Every promise holds: [\d,]+ triangles, 4 regions, \d+ segments whole\n'
-                              r'Regions beside their targets and proven limits: [^\n]*\n$')
+                              r'Regions beside targets of 100 and 20 degrees, and beside proven limits: [^\n]*\n$')
         out, _ = self.run_cover('check', diode, 'd.vtu', '--no-bound')
         self.assertRegex(out, r'^All that was checked holds.*\nRegions beside .*\nNot checked: the bound on the largest angle \(promise 3\)\n$')
         self.run_cover('mesh', diode, '-o', 's.vtu', '--method', 'nonobtuse', '-q')

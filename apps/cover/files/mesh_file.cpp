@@ -117,7 +117,7 @@ Result<MeshTriangles> read_triangles(const MeshSource& source, spdlog::logger& l
   const std::string& path = source.file();
   Result<MeshFile> mesh = read_mesh(path);
   if (!mesh) return source.named(std::move(mesh).error());
-  if (mesh->second_order)
+  if (mesh->second_order && mesh->middles.empty())
     log.warn("{}: triangles have six nodes, of which the corners are taken", source.name());
   MeshTriangles triangles;
   triangles.middles = std::move(mesh->middles);

@@ -65,8 +65,11 @@ std::string sound_text(const Verification& found, std::size_t triangles, bool is
   text += "\n";
   LimitCounts limits;
   for (const RegionLimits& region : found.limits) limits.add(region);
+  const VerifyOptions usual;  // what the mesh was made for may be more or less
   if (const std::string counts = limits_text(limits); !counts.empty())
-    text += fmt::format("Regions beside their targets and proven limits: {}\n", counts);
+    text += fmt::format(
+        "Regions beside targets of {:.6g} and {:.6g} degrees, and beside proven limits: {}\n",
+        usual.max_angle.in_degrees(), usual.min_angle.in_degrees(), counts);
   for (const std::string& what : found.unchecked)
     text += fmt::format("Not checked: {}\n", printable(what));
   return text;

@@ -68,6 +68,8 @@ Result<Output> mesh_again(const MeshPlan& plan, const Input& input, const Option
   Result<MeshTriangles> onto = read_triangles(*source, log);
   if (!onto) return std::move(onto).error();
   if (!onto->has_materials) onto->soup.material.clear();
+  if (!onto->middles.empty())
+    log.warn("{}: triangles have six nodes, of which the corners are taken", source->name());
   Result<Output> output = remesh(input, onto->soup, plan.only, options, callbacks);
   if (output) {
     output->report.provenance.settings.push_back({"onto", plan.onto});
