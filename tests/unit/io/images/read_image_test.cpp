@@ -113,6 +113,16 @@ TEST(ReadImage, LegendsNameThem) {
             "l.csv:1: expected a label and a name, as #ff0000,copper or 7,grain");
 }
 
+TEST(ReadImage, APictureOfNothingIsTold) {
+  ImageOptions options;
+  options.legend = "0,void\n1,void\n7,void";
+  const Result<Input> input = parse_image(kPicture, ".nrrd", "a.nrrd", options);
+  ASSERT_TRUE(input) << input.error().message;
+  EXPECT_TRUE(input->polygons.empty());
+  ASSERT_FALSE(input->warnings.empty());
+  EXPECT_EQ(input->warnings[0], "all pixels are transparent, or void by the legend");
+}
+
 TEST(ReadImage, SpecklesAreToldOf) {
   ImageOptions options;
   options.speckle = 4;
