@@ -52,6 +52,18 @@ class Periodic(Case):
         self.run_cover('mesh', 'cell.json', '-o', 'a.vtu', '--box-method')
         self.assertRegex(self.run_cover('check', 'cell.json', 'a.vtu')[0], r'Periodic: 2 pairs.*\nEvery promise holds')
 
+    def test_what_meets_the_arc_of_one_side_cuts_the_arc_of_the_other(self):
+        """A line that ends on the left arc, and a circle beside the right one for which its chord is halved."""
+        on_arc = [0.40714838515390483, 1.1411857717999883]
+        for more in {'points': [4, 5]}, {'circle': {'centre': [3.1122135623730953, 1], 'radius': 0.3, 'chords': 12}}:
+            points = [[0, 0], [0, 2], [3, 0], [3, 2]] + ([[1.5, 1], on_arc] if 'points' in more else [])
+            self.write('bent.json', json.dumps({'points': points, 'periodic': [['left', 'right']], 'segments': [
+                {'points': [0, 1], 'arc': {'centre': [-1, 1], 'chords': 3}, 'name': 'left'},
+                {'points': [2, 3], 'arc': {'centre': [2, 1], 'chords': 3}, 'name': 'right'}, [0, 2], [1, 3], more]}))
+            self.run_cover('mesh', 'bent.json', '--order', '2', '-o', 'a.msh')
+            out = self.run_cover('check', 'bent.json', 'a.msh')[0]
+            self.assertRegex(out, r'^Periodic: \d+ pairs .*, none without a partner\nSecond order: .* lie on arcs\nEvery promise')
+
     def test_what_cannot_be_is_refused_and_nothing_is_written(self):
         for rule, what in (('"left=1"=rihgt', "did you mean 'right'?"),
                            ('right=right', 'a line cannot be taken to itself'),

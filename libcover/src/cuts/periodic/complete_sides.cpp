@@ -2,6 +2,7 @@
 #include "cuts/periodic/complete_sides.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <fmt/core.h>
@@ -12,11 +13,31 @@
 #include "clean/ends/loose_ends.hpp"
 #include "cuts/cut_segments.hpp"
 #include "geom/box.hpp"
+#include "geom/curves/arc.hpp"
 #include "geom/foot.hpp"
 #include "geom/isometry.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
+namespace {
+
+/// The arc over a segment, where that is a chord.
+std::optional<ArcOver> arc_over(const Pslg& pslg, const Segment& segment) {
+  const ArcCircle* circle = circle_of(pslg, segment);
+  if (circle == nullptr) return std::nullopt;
+  return ArcOver(*circle, pslg.points[segment.a.index()], pslg.points[segment.b.index()]);
+}
+
+/// How far `p` is from the arc over a segment; infinite where it is beside the arc's ends, or where
+/// there is no arc.
+double distance_to_arc(const Pslg& pslg, const Segment& segment, Point p) {
+  const std::optional<ArcOver> arc = arc_over(pslg, segment);
+  if (!arc) return kInfinity;
+  const double share = arc->share_of(p);
+  return share > 0 && share < 1 ? arc->distance_from_circle(p) : kInfinity;
+}
+
+}  // namespace
 
 Result<bool> SidesCompletion::complete(const PeriodicRule& rule, const SidesMatch& match) {
   cuts_.clear();
@@ -32,19 +53,27 @@ Result<bool> SidesCompletion::complete(const PeriodicRule& rule, const SidesMatc
     return false;
   }
   std::vector<SegmentCut> cuts;
-  for (auto& [segment, points] : cuts_) {
-    const Point a = pslg_.points[pslg_.segments[segment.index()].a.index()];
+  for (auto& [s, points] : cuts_) {
+    Segment& segment = pslg_.segments[s.index()];
+    const Point a = pslg_.points[segment.a.index()];
+    const std::optional<ArcOver> arc = arc_over(pslg_, segment);
+    const auto way_to = [&](Point p) { return arc ? arc->share_of(p) : length(p - a); };
     std::sort(points.begin(), points.end(),
-              [&](Point p, Point q) { return length(p - a) < length(q - a); });
+              [&](Point p, Point q) { return way_to(p) < way_to(q); });
     points.erase(std::unique(points.begin(), points.end()), points.end());
-    cuts.push_back({segment, points});
-    tell(rule, segment, points);
+    // Ends of chords are on their circle; here the other side is straight.
+    const auto is_beside_arc = [&](Point p) {
+      return distance_to_arc(pslg_, segment, p) > match.tolerance;
+    };
+    if (arc && std::any_of(points.begin(), points.end(), is_beside_arc)) straighten(segment);
+    cuts.push_back({s, points});
+    tell(rule, s, points);
   }
   cut_segments(pslg_, table_, cuts);
   return true;
 }
 
-/// Looks for the segment of `line` on which the image of `v` lies.
+/// Looks for the segment of `line` on which, or on whose arc, the image of `v` lies.
 void SidesCompletion::place(VertexId v, const Isometry& map, const NamedLine& line,
                             double tolerance) {
   const Point image = image_of(map, pslg_.points[v.index()]);
@@ -52,8 +81,9 @@ void SidesCompletion::place(VertexId v, const Isometry& map, const NamedLine& li
   SegmentId nearest;
   for (const SegmentId s : line.segments) {
     const Segment& segment = pslg_.segments[s.index()];
-    const double distance = distance_to_segment(image, pslg_.points[segment.a.index()],
-                                                pslg_.points[segment.b.index()]);
+    const double distance = std::min(distance_to_segment(image, pslg_.points[segment.a.index()],
+                                                         pslg_.points[segment.b.index()]),
+                                     distance_to_arc(pslg_, segment, image));
     if (distance >= least) continue;
     least = distance;
     nearest = s;

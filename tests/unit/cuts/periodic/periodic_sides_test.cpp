@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include <cover/cover_mesh.hpp>
+
+#include "geom/curves/arc.hpp"
 
 namespace cover {
 namespace {
@@ -111,6 +115,89 @@ TEST(PeriodicSides, PointsOfOneSideComeToTheOther) {
   options.strict = true;
   EXPECT_NE(refusal(input, options, ErrorCode::changed_input).find("was cut at"),
             std::string::npos);
+}
+
+/// A strip whose sides bend to the right, as arcs of two chords: corners, then the arcs' middles.
+/// `left` and `right`, if given, are points between the lower ends and the middles.
+Input bent_cell(std::optional<Point> left, std::optional<Point> right, bool is_right_straight) {
+  Input input;
+  const double bulge = std::numbers::sqrt2 - 1;
+  input.points = {{0, 0}, {3, 0}, {3, 2}, {0, 2}, {bulge, 1}, {3 + bulge, 1}};
+  input.circles = {{{-1, 1}, std::numbers::sqrt2}, {{2, 1}, std::numbers::sqrt2}};
+  const auto add = [&](std::uint32_t a, std::uint32_t b, const char* name, std::uint32_t circle) {
+    input.segments.push_back({a, b, 0, static_cast<long>(input.segments.size()), 0, name});
+    input.segments.back().circle = circle;
+  };
+  const auto side = [&](std::array<std::uint32_t, 3> at, std::optional<Point> point,
+                        const char* name, std::uint32_t circle) {
+    if (point) {
+      const auto added = static_cast<std::uint32_t>(input.points.size());
+      input.points.push_back(*point);
+      add(at[0], added, name, circle);
+      add(added, at[1], name, circle);
+    } else {
+      add(at[0], at[1], name, circle);
+    }
+    add(at[1], at[2], name, circle);
+  };
+  add(0, 1, "bottom", 0);
+  add(3, 2, "top", 0);
+  side({0, 4, 3}, left, "left", 1);
+  side({1, 5, 2}, right, "right", is_right_straight ? 0 : 2);
+  return input;
+}
+
+/// A point of the left side's arc, at this angle as seen from its centre.
+Point on_left_arc(double degrees) {
+  const double u = degrees * std::numbers::pi / 180;
+  return {-1 + std::numbers::sqrt2 * std::cos(u), 1 + std::numbers::sqrt2 * std::sin(u)};
+}
+
+TEST(PeriodicSides, PointsOfAnArcComeToTheOtherArc) {
+  const Point at = on_left_arc(-15), image{at.x + 3, at.y};
+  for (const bool is_left : {true, false}) {
+    const Input input = is_left ? bent_cell(at, {}, false) : bent_cell({}, image, false);
+    Options options = periodic({translation("left", "right")});
+    const Result<Prepared> prepared = prepare(input, options);
+    ASSERT_TRUE(prepared) << prepared.error().message;
+    const Pslg& pslg = prepared->pslg;
+    ASSERT_EQ(pslg.periodic.size(), 3U);
+    EXPECT_EQ(prepared->report.changes.size(), 1U);
+    for (const SegmentPair& pair : pslg.periodic) {
+      const Segment& from = pslg.segments[pair.from.index()];
+      const Segment& to = pslg.segments[pair.to.index()];
+      EXPECT_EQ(from.circle, 1U);
+      EXPECT_EQ(to.circle, 2U);
+      const Point a = pslg.points[from.a.index()], b = pslg.points[to.a.index()];
+      EXPECT_EQ(b, (Point{a.x + 3, a.y}));
+    }
+  }
+}
+
+TEST(PeriodicSides, PointsBesideAnArcComeToItsChordWhichIsStraightThen) {
+  const Point middle{(std::numbers::sqrt2 - 1) / 2, 0.5};
+  const Input input = bent_cell({}, Point{middle.x + 3, middle.y}, true);
+  const Result<Prepared> prepared = prepare(input, periodic({translation("left", "right")}));
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  const Pslg& pslg = prepared->pslg;
+  ASSERT_EQ(pslg.periodic.size(), 3U);
+  std::size_t straight = 0;
+  for (const SegmentPair& pair : pslg.periodic) {
+    const Segment& from = pslg.segments[pair.from.index()];
+    const bool is_cut = std::min(pslg.points[from.a.index()].y, pslg.points[from.b.index()].y) < 1;
+    EXPECT_EQ(circle_of(pslg, from) == nullptr, is_cut);
+    if (is_cut) ++straight;
+  }
+  EXPECT_EQ(straight, 2U);
+}
+
+TEST(PeriodicSides, PointsBesideBothArcAndChordAreRefused) {
+  const Point at = on_left_arc(-15);
+  for (const double off : {-0.01, 0.01}) {
+    const std::string message = refusal(bent_cell({}, Point{at.x + 3 + off, at.y}, true),
+                                        periodic({translation("left", "right")}));
+    EXPECT_NE(message.find("from 'left'"), std::string::npos) << message;
+  }
 }
 
 TEST(PeriodicSides, APointGoesOnFromLineToLine) {
