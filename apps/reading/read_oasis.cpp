@@ -31,7 +31,7 @@ Result<ScratchFolder> scratch_folder() {
   return ScratchFolder::beside((fs::temp_directory_path(ignored) / "cover-oasis").string());
 }
 
-enum class Ended { well, badly, not_there };
+enum class Ended { well, badly, not_there, interrupted };
 
 /// Where Debian's package has the tools, with the libraries that they need and do not find.
 constexpr const char* kDebiansTool = "/usr/lib/klayout/strm2gds";
@@ -73,6 +73,9 @@ Ended run(std::vector<std::string> words, const std::string& log, const char* se
   // What posix_spawn() of some systems says where there is no such program.
   constexpr int kNotThere = 127;
   if (WIFEXITED(status) && WEXITSTATUS(status) == kNotThere) return Ended::not_there;
+  // A terminal's Ctrl-C goes to all of its programs, and this one may be the first that it ends.
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP) return Ended::interrupted;
   return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? Ended::well : Ended::badly;
 }
 
@@ -108,6 +111,7 @@ Result<Input> read_oasis(const std::string& path, const ReadOptions& options) {
     if (!written) return written.error();
     ended = run({"klayout", "-b", "-r", script, "-rd", "from=" + from, "-rd", "to=" + to}, log);
   }
+  if (ended == Ended::interrupted) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
   if (ended == Ended::not_there)
     return error(ErrorCode::unsupported_format,
                  "OASIS is read by way of KLayout, which is not installed (Debian's package "

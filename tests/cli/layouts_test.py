@@ -5,6 +5,7 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import unittest
 
@@ -130,6 +131,29 @@ class Layouts(Case):
         out, err = run.communicate(timeout=60)
         self.assertEqual((run.returncode, out, err), (130, '', 'cover: interrupted\n'))
         self.assertEqual(self.files(), ['a.OAS', 'bin'])
+
+    def test_an_interrupt_of_klayout_too_is_no_fault_of_the_file(self):
+        """As Ctrl-C in a terminal goes to all programs that run there."""
+        self.write('a.OAS', '%SEMI-OASIS')
+        tools = self.dir / 'bin'
+        tools.mkdir()
+        (tools / 'strm2gds').write_text('#!/bin/sh\necho reads >begun\nexec /bin/sleep 30\n')
+        (tools / 'strm2gds').chmod(0o755)
+        for one in signal.SIGINT, signal.SIGTERM, signal.SIGHUP:
+            if signal.getsignal(one) == signal.SIG_IGN:
+                continue  # by nohup, and programs that it starts ignore it, too
+            run = subprocess.Popen([PROGRAM, 'info', 'a.OAS'], cwd=self.dir, env={'PATH': str(tools), 'TMPDIR': str(self.dir)},
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
+            self.addCleanup(run.kill)
+            while not (self.dir / 'begun').exists():
+                self.assertIsNone(run.poll())
+            os.killpg(run.pid, one)
+            out, err = run.communicate(timeout=20)
+            self.assertEqual((run.returncode, out), (130, ''), (one, err))
+            # The program has a second to find that its reader is gone.
+            self.assertIn(err, ('cover: error: interrupted\n', 'cover: interrupted\n'))
+            (self.dir / 'begun').unlink()
+            self.assertEqual(self.files(), ['a.OAS', 'bin'])
 
     @unittest.skipIf((KLAYOUT / 'strm2gds').exists(), 'KLayout itself is there')
     def test_oasis_is_read_by_klayout(self):
