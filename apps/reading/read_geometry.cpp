@@ -90,9 +90,10 @@ std::string known_formats() {
   return text;
 }
 
-Result<Input> read_geometry(const std::string& path, const ReadOptions& options) {
+Result<Input> read_geometry(const std::string& path, const ReadOptions& options,
+                            const std::stop_token& stop) {
   const std::string format = format_in(path, options);
-  if (is_oasis(format)) return read_oasis(path, options);
+  if (is_oasis(format)) return read_oasis(path, options, stop);
 #ifdef COVER_WITH_GMSH
   if (format == ".geo") {
     Result<Input> input = read_geo(path);

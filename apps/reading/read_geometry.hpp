@@ -1,6 +1,7 @@
 // Geometry files of every format that this build reads, for the program and the Python module.
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -13,10 +14,11 @@ namespace cover::reading {
 /// "Triangle's .poly, our .json, ...", for help.
 std::string known_formats();
 
-/// Reads a file, with the components that are built in.
+/// Reads a file, with the components that are built in; `stop` ends programs that read it.
 ///
-/// Errors: those of read_input(), read_geo(), read_dxf() and read_gdal()
-Result<Input> read_geometry(const std::string& path, const ReadOptions& options);
+/// Errors: those of read_input(), read_geo(), read_dxf(), read_gdal() and read_oasis()
+Result<Input> read_geometry(const std::string& path, const ReadOptions& options,
+                            const std::stop_token& stop = {});
 
 /// Reads geometry from memory; `source` is what messages call it.
 /// REQUIRES: a format in the options

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <csignal>
 #include <filesystem>
+#include <stop_token>
 #include <system_error>
 #include <vector>
 
@@ -37,9 +38,10 @@ enum class Ended { well, badly, not_there, interrupted };
 constexpr const char* kDebiansTool = "/usr/lib/klayout/strm2gds";
 constexpr const char* kDebiansLibraries = "LD_LIBRARY_PATH=/usr/lib/klayout";
 
-/// Runs a program of the PATH to its end, with `setting` before all else in its environment; what
-/// it says goes to the file `log`.
-Ended run(std::vector<std::string> words, const std::string& log, const char* setting = nullptr) {
+/// Runs a program of the PATH to its end, or until `stop` asks for that, with `setting` before all
+/// else in its environment; what it says goes to the file `log`.
+Ended run(std::vector<std::string> words, const std::string& log, const std::stop_token& stop,
+          const char* setting = nullptr) {
   std::string first = setting != nullptr ? setting : "";
   std::vector<char*> settings;
   if (setting != nullptr) settings.push_back(first.data());
@@ -67,15 +69,23 @@ Ended run(std::vector<std::string> words, const std::string& log, const char* se
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);
   if (failed != 0) return failed == ENOENT || failed == EACCES ? Ended::not_there : Ended::badly;
+  {
+    const std::stop_callback end(stop, [process] { ::kill(process, SIGKILL); });
+    // Until it is waited for below, its number is that of no other process.
+    siginfo_t ended{};
+    while (::waitid(P_PID, static_cast<id_t>(process), &ended, WEXITED | WNOWAIT) < 0)
+      if (errno != EINTR) return Ended::badly;
+  }
   int status = 0;
   while (::waitpid(process, &status, 0) < 0)
     if (errno != EINTR) return Ended::badly;
+  // A terminal's Ctrl-C goes to all of its programs, and this one may be the first that it ends.
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  if (stop.stop_requested() || signal == SIGINT || signal == SIGTERM || signal == SIGHUP)
+    return Ended::interrupted;
   // What posix_spawn() of some systems says where there is no such program.
   constexpr int kNotThere = 127;
   if (WIFEXITED(status) && WEXITSTATUS(status) == kNotThere) return Ended::not_there;
-  // A terminal's Ctrl-C goes to all of its programs, and this one may be the first that it ends.
-  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP) return Ended::interrupted;
   return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? Ended::well : Ended::badly;
 }
 
@@ -91,7 +101,8 @@ std::string first_line(const std::string& text) {
 
 bool is_oasis(std::string_view extension) { return extension == ".oas" || extension == ".oasis"; }
 
-Result<Input> read_oasis(const std::string& path, const ReadOptions& options) {
+Result<Input> read_oasis(const std::string& path, const ReadOptions& options,
+                         const std::stop_token& stop) {
   const auto error = [&](ErrorCode code, const std::string& what) {
     return Error{code, path + ": " + what, {}, {}};
   };
@@ -103,13 +114,15 @@ Result<Input> read_oasis(const std::string& path, const ReadOptions& options) {
                  "no folder for the layout as GDSII: " + folder.error().message);
   const std::string from = fs::absolute(path), to = folder->path() / "layout.gds",
                     log = folder->path() / "log", script = folder->path() / "convert.rb";
-  Ended ended = run({"strm2gds", from, to}, log);
-  if (ended == Ended::not_there) ended = run({kDebiansTool, from, to}, log, kDebiansLibraries);
+  Ended ended = run({"strm2gds", from, to}, log, stop);
+  if (ended == Ended::not_there)
+    ended = run({kDebiansTool, from, to}, log, stop, kDebiansLibraries);
   if (ended == Ended::not_there) {
     const Status written =
         replace_file(script, "l = RBA::Layout::new\nl.read($from)\nl.write($to)\n");
     if (!written) return written.error();
-    ended = run({"klayout", "-b", "-r", script, "-rd", "from=" + from, "-rd", "to=" + to}, log);
+    ended =
+        run({"klayout", "-b", "-r", script, "-rd", "from=" + from, "-rd", "to=" + to}, log, stop);
   }
   if (ended == Ended::interrupted) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
   if (ended == Ended::not_there)

@@ -1,6 +1,7 @@
 // Layouts in OASIS, by way of KLayout.
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -18,7 +19,9 @@ bool is_oasis(std::string_view extension);
 /// has no library that reads OASIS.
 ///
 /// Errors: unsupported_format where neither is installed; syntax where KLayout refuses the file;
-///         cannot_open, cannot_write; those of read_input() for layouts
-Result<Input> read_oasis(const std::string& path, const ReadOptions& options);
+///         cannot_open, cannot_write; cancelled where a signal ends KLayout, or `stop` asks for its
+///         end; those of read_input() for layouts
+Result<Input> read_oasis(const std::string& path, const ReadOptions& options,
+                         const std::stop_token& stop);
 
 }  // namespace cover::reading

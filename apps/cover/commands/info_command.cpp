@@ -32,6 +32,7 @@ int run_info(Arguments arguments) {
 
   const auto log = make_logger(verbosity);
   const Interrupt interrupt;
+  input_file.heed(interrupt.token());
   const Result<Input> input = input_file.read(options->threads);
   if (!input) return fail(*log, input.error());
   for (const std::string& option : input_file.ignored()) log->warn("{}", option);

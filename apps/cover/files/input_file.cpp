@@ -180,7 +180,7 @@ Result<Input> GeometryFile::read_one(const std::string& path) {
     return read_stream(pipe, path, options_);
   }
   if (options_.format.empty()) options_.format = extension_of(path);
-  return reading::read_geometry(path, options_);
+  return reading::read_geometry(path, options_, stop_);
 }
 
 std::vector<std::string> GeometryFile::ignored() const {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -33,6 +35,9 @@ class GeometryFile {
   /// The file of --layer-map; with an empty path where there is none.
   [[nodiscard]] std::vector<NamedFile> read_files() const;
 
+  /// Other programs that read() runs are ended where this asks to stop.
+  void heed(std::stop_token stop) { stop_ = std::move(stop); }
+
   /// Reads the files, which become one geometry in this order; `-` is standard input, whose format
   /// follows from how it begins. By that many threads; 0: all cores. Several files are read by
   /// `read_elsewhere` if it is given, and none of them is a stream.
@@ -54,6 +59,7 @@ class GeometryFile {
 
   std::vector<std::string> paths_;
   ReadOptions options_;
+  std::stop_token stop_;
   std::deque<WrittenOption<ReadOptions>> written_;  ///< which CLI11 points into
 };
 

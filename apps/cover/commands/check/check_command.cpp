@@ -403,6 +403,7 @@ int run_check(Arguments arguments) {
 
   const auto log = make_logger(command.verbosity);
   const Interrupt interrupt;
+  command.input.heed(interrupt.token());
   Result<Subject> subject = read_subject(command, *options, *log);
   if (!subject) return fail(*log, subject.error());
   const Result<MeshSource> source = MeshSource::open(command.mesh_path);

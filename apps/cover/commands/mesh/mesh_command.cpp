@@ -395,6 +395,7 @@ int run_mesh(Arguments arguments, const OtherProcesses& others) {
 
   const auto log = make_logger(command.verbosity);
   Interrupt interrupt;
+  command.input.heed(interrupt.token());
   Result<Input> input = command.input.read(options->threads, others.read_elsewhere);
   if (!input) return fail(*log, input.error());
   if (const Status hold = check_files_hold(command, *input, *options); !hold)
