@@ -217,12 +217,25 @@ class DryRun(Case):
         made, _ = self.run_cover('mesh', 's.poly', '-o', 's.vtu', *fine)
         made = float(re.match(r'([0-9,]+) triangles', made)[1].replace(',', ''))
         self.assertLess(abs(about - made), 0.3 * made)
-        self.assertNotIn('disks', out)
+        self.assertNotIn('disk', out)
+        # What the run keeps on the disk may take less.
+        self.write_fine_square(1500)
+        held = ' MB\nwhere it is held; this one stays on the disk, region by region, and may take less\n'
+        for words, is_told in ((('--size', '0.01'), False), (('--size', '0.01', '--stream', 'on'), True), (('--size', '7e-4'), True),
+                               (('--size', '7e-4', '--stream', 'off'), False), (('--size', '7e-4', '-o', 's.svg'), False)):
+            out, _ = self.run_cover('mesh', 's.json', '-o', 's.vtu', '--dry-run', *words)
+            self.assertEqual(held in out, is_told, (words, out))
         out, _ = self.run_cover('mesh', SAMPLES / 'plate.poly', '-o', 's.vtu', '--dry-run', '--method', 'nonobtuse')
         self.assertRegex(out, r'There is no estimate where disks are packed, .*\n.* some 1,[0-9]00 triangles and ')
         self.assertNotIn('A mesh takes about', out)
         out, _ = self.run_cover('mesh', SAMPLES / 'plate.poly', '--dry-run', '--method', 'nonobtuse', '--stats', 'json')
         self.assertTrue(json.loads(out)['estimate']['by_disks'])
+
+    def write_fine_square(self, n):
+        """With sides of n segments each, so that triangles inside may be as fine without cuts."""
+        points = [p for k in range(n) for p in ((k / n, 0), (1, k / n), (1 - k / n, 1), (0, 1 - k / n))]
+        segments = [(4 * k + side, 4 * (k + 1) + side if k + 1 < n else (side + 1) % 4) for k in range(n) for side in range(4)]
+        self.write('s.json', json.dumps({'points': points, 'segments': segments}))
 
     def test_what_does_not_fit(self):
         self.write('s.poly', SQUARE)
@@ -232,7 +245,12 @@ class DryRun(Case):
         _, err = self.run_cover('mesh', 's.poly', '-o', 's.vtu', '--split-interfaces', '--size', '6e-5', code=7)
         self.assertLess(time.monotonic() - begin, 10)
         self.assertRegex(err, r'the sizes asked for take about 6.4e\+08 triangles and 108 GB of memory, and there are ')
-        self.assertEqual(self.files(), ['s.poly'])
+        self.write_fine_square(16000)
+        on_disk = 'a dry run asks for the memory of a mesh that is held, and the run would keep this one on the disk'
+        for words, is_told in ((['-o', 's.vtu'], True), (['-o', 's.vtu', '--stream', 'off'], False), (['-o', 's.vtm'], False), ([], False)):
+            _, err = self.run_cover('mesh', 's.json', '--size', '6.5e-5', *words, '--dry-run', code=7)
+            self.assertEqual(on_disk in err, is_told, (words, err))
+        self.assertEqual(self.files(), ['s.json', 's.poly'])
 
 
 class BadInput(Case):

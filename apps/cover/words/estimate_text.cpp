@@ -37,11 +37,14 @@ std::string memory_text(const Estimate& estimate) {
 
 }  // namespace
 
-std::string estimate_text(const Estimate& estimate) {
+std::string estimate_text(const Estimate& estimate, bool stays_on_disk) {
   const std::string triangles = about(estimate.triangles);
   if (!estimate.by_disks)
-    return fmt::format("\nA mesh takes about {} triangles and {}\n", triangles,
-                       memory_text(estimate));
+    return fmt::format("\nA mesh takes about {} triangles and {}\n{}", triangles,
+                       memory_text(estimate),
+                       stays_on_disk ? "where it is held; this one stays on the disk, region by "
+                                       "region, and may take less\n"
+                                     : "");
   return fmt::format(
       "\nThere is no estimate where disks are packed, as with --method nonobtuse: lines far from\n"
       "each other take some {} triangles and {}; lines close to each other\n"

@@ -7,7 +7,7 @@
 
 namespace cover::app {
 
-/// What a mesh will take.
-std::string estimate_text(const Estimate& estimate);
+/// What a mesh will take: in memory, where the run may keep it on the disk.
+std::string estimate_text(const Estimate& estimate, bool stays_on_disk);
 
 }  // namespace cover::app

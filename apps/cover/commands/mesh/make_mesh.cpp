@@ -99,6 +99,13 @@ std::string what_needs_all_in_memory(const MeshPlan& plan, const OutputFiles& fi
   return {};
 }
 
+bool stays_on_disk(const MeshPlan& plan, const OutputFiles& files, const Input& input,
+                   const Options& options, double triangles) {
+  if (plan.stream == "off" || files.paths().empty()) return false;
+  return (plan.stream == "on" || triangles > kManyTriangles) &&
+         what_needs_all_in_memory(plan, files, input, options).empty();
+}
+
 Result<StreamedOutput> make_mesh(const MeshPlan& plan, const OutputFiles& files, Input input,
                                  const Options& options, const Callbacks& callbacks,
                                  spdlog::logger& log) {

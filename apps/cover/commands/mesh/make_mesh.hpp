@@ -27,6 +27,10 @@ struct MeshPlan {
 std::string what_needs_all_in_memory(const MeshPlan& plan, const OutputFiles& files,
                                      const Input& input, const Options& options);
 
+/// Whether a mesh of about so many triangles stays on the disk until it is written to `files`.
+bool stays_on_disk(const MeshPlan& plan, const OutputFiles& files, const Input& input,
+                   const Options& options, double triangles);
+
 /// Makes the mesh that is to be written to `files`. The log tells why it cannot stay on the disk.
 ///
 /// Errors: those of cover_mesh(), stream_mesh(), remesh() and read_triangles(); bad_option where it

@@ -1,6 +1,7 @@
 // cover mesh: options, one call of cover_mesh, files, report.
 #include <chrono>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -210,8 +211,8 @@ int print_plan_as_json(const MeshCommand& command, const Prepared& prepared, con
 }
 
 int print_plan(const MeshCommand& command, const Prepared& prepared, const Estimate& all,
-               spdlog::logger& log) {
-  fmt::print("{}{}", info_text(prepared, command.is_verbose()), estimate_text(all));
+               bool stays_on_disk, spdlog::logger& log) {
+  fmt::print("{}{}", info_text(prepared, command.is_verbose()), estimate_text(all, stays_on_disk));
   for (const std::string& name : command.plan.only) {
     const auto regions = regions_called(name, prepared.table);
     if (!regions) return fail(log, regions.error());
@@ -228,7 +229,17 @@ int print_plan(const MeshCommand& command, const Prepared& prepared, const Estim
 int dry_run(const MeshCommand& command, const Input& input, const Options& options,
             spdlog::logger& log) {
   const Result<Prepared> prepared = prepare(input, options);
-  if (!prepared) return fail(log, prepared.error());
+  if (!prepared) {
+    Error error = prepared.error();
+    // What is refused for its memory has no estimate, but is large.
+    constexpr double triangles = std::numeric_limits<double>::infinity();
+    if (error.code == ErrorCode::out_of_memory &&
+        stays_on_disk(command.plan, command.files, input, options, triangles))
+      error.message +=
+          "; a dry run asks for the memory of a mesh that is held, and the run would keep this one "
+          "on the disk, region by region";
+    return fail(log, error);
+  }
   if (!command.plan.onto.empty()) {
     const Result<MeshSource> source = MeshSource::open(command.plan.onto);
     if (!source) return fail(log, source.error());
@@ -240,8 +251,11 @@ int dry_run(const MeshCommand& command, const Input& input, const Options& optio
   log_notes(log, all->notes);
   if (!command.files.reports().empty())
     log.warn("--report writes nothing in a dry run: --stats json prints what is known before");
-  return command.is_json() ? print_plan_as_json(command, *prepared, *all, log)
-                           : print_plan(command, *prepared, *all, log);
+  return command.is_json()
+             ? print_plan_as_json(command, *prepared, *all, log)
+             : print_plan(
+                   command, *prepared, *all,
+                   stays_on_disk(command.plan, command.files, input, options, all->triangles), log);
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
