@@ -2,6 +2,7 @@
 #include "clean/arcs/meet_arcs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -17,6 +18,7 @@
 #include "geom/box.hpp"
 #include "geom/curves/arc.hpp"
 #include "geom/search/box_tree.hpp"
+#include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -25,6 +27,14 @@ namespace {
 constexpr double kPartOfLine = 1.0 / 8;  ///< as in welding
 /// Compared with the lines beside, as of near misses: rounded decimals miss by less.
 constexpr double kWorthTelling = 1e-6;
+/// Of a chord, and of coordinates, of which 15 digits are right: what is off an arc by no more is
+/// on it. The radius does not count, since an arc may be as flat as one likes.
+constexpr double kRoundingOfChord = 0x1p-40, kRoundingOfPlace = 0x1p-46;
+
+double rounding_on(const InputChord& chord, Point p) {
+  return std::max(kRoundingOfChord * length(chord.b - chord.a),
+                  kRoundingOfPlace * largest_coordinate(std::array{chord.a, chord.b, p}));
+}
 
 /// An end of lines.
 struct EndOfLines {
@@ -50,7 +60,7 @@ std::vector<EndOfLines> ends_of(const Input& input) {
 /// An end on an arc.
 struct Meeting {
   double share = 0;  ///< of the way along the arc
-  double reach = 0;  ///< what is nearer is the same point, and left to welding
+  double same = 0;   ///< what is nearer is the same point, and left to welding
   double off = 0;    ///< how far it is from the arc, more than rounding; 0: on it
   Point at;
   friend constexpr auto operator<=>(const Meeting&, const Meeting&) = default;
@@ -64,6 +74,8 @@ class ArcMeeter {
     for (const EndOfLines& end : ends_) box.add(end.at);
     extent_ = box.extent();
     tolerance_ = weld * extent_;
+    const std::array corners{box.low, box.high};
+    welded_ = std::max(tolerance_, ends_.empty() ? 0 : rounding_of(corners));
   }
 
   ChordCuts find() {
@@ -121,7 +133,7 @@ class ArcMeeter {
     box.add(chord.a);
     box.add(chord.b);
     const double away = length(arc.middle() - midpoint(chord.a, chord.b)) + tolerance_ +
-                        arc.rounding_at(chord.a) + kWorthTelling * length(chord.b - chord.a);
+                        rounding_on(chord, chord.a) + kWorthTelling * length(chord.b - chord.a);
     box.low = box.low + Vector{-away, -away};
     box.high = box.high + Vector{away, away};
     return box;
@@ -132,13 +144,14 @@ class ArcMeeter {
     const ArcOver arc(circle_of_chord(chord), chord.a, chord.b);
     const double share = arc.share_of(end.at);
     if (!(share > 0 && share < 1)) return;
-    const double off = arc.distance_from_circle(end.at), rounding = arc.rounding_at(end.at);
+    const double off = arc.distance_from_circle(end.at), rounding = rounding_on(chord, end.at);
     const double reach = std::min(std::max(rounding, tolerance_), kPartOfLine * end.shortest);
+    const double same = std::min(reach, welded_);
     const double from_end = std::min(length(end.at - chord.a), length(end.at - chord.b));
-    if (from_end <= reach) return;
+    if (from_end <= same) return;
     const double near = kWorthTelling * std::min(end.shortest, length(chord.b - chord.a));
     if (off <= reach) {
-      meetings_[chord].push_back({share, reach, off <= rounding ? 0 : off, end.at});
+      meetings_[chord].push_back({share, same, off <= rounding ? 0 : off, end.at});
     } else if (off <= near && from_end > near) {  // near misses of two points are told as such
       missed_.emplace(end.at, off);
     }
@@ -149,7 +162,7 @@ class ArcMeeter {
     std::sort(meetings.begin(), meetings.end());
     std::vector<Point> points;
     for (const Meeting& m : meetings) {
-      if (!points.empty() && length(m.at - points.back()) <= m.reach) continue;
+      if (!points.empty() && length(m.at - points.back()) <= m.same) continue;
       points.push_back(m.at);
       if (m.off > 0) bent_.push_back(m);
     }
@@ -161,6 +174,7 @@ class ArcMeeter {
   std::vector<EndOfLines> ends_;
   double extent_ = 0;  ///< of the drawing
   double tolerance_ = 0;
+  double welded_ = 0;  ///< ends that are nearer to each other become one after this
   std::map<InputChord, std::vector<Meeting>> meetings_;
   std::vector<Meeting> bent_;
   std::map<Point, double> missed_;

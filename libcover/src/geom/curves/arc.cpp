@@ -79,9 +79,9 @@ ArcOver::ArcOver(const ArcCircle& circle, Point a, Point b) : a_(a), b_(b) {
   const Point m = midpoint(a, b);
   const double half = length(b - a) / 2;
   radius_ = std::max(circle.radius, half);
-  const double height = std::sqrt(std::max(0.0, (radius_ - half) * (radius_ + half)));
+  height_ = std::sqrt(std::max(0.0, (radius_ - half) * (radius_ + half)));
   turn_ = cross(a - circle.centre, b - circle.centre) >= 0 ? 1 : -1;
-  centre_ = m + (turn_ * height / (2 * half)) * left_normal(b - a);
+  centre_ = m + (turn_ * height_ / (2 * half)) * left_normal(b - a);
   half_angle_ = std::asin(std::min(1.0, half / radius_));
 }
 
@@ -103,8 +103,17 @@ Point ArcOver::at(double share) const {
 
 Point ArcOver::above(Point p) const { return at(part_on_line(a_, b_, p)); }
 
+Vector ArcOver::from_centre(Point p) const {
+  const Vector unit = (1 / length(b_ - a_)) * (b_ - a_);
+  return {dot(unit, p - midpoint(a_, b_)), height_ - turn_ * cross(unit, p - a_)};
+}
+
 double ArcOver::distance_from_circle(Point p) const {
-  return std::abs(length(p - centre_) - radius_);
+  // The power of the point over the sum of the two lengths. It is taken from the chord, so that
+  // nothing is lost where the circle is large.
+  const double sum = length(from_centre(p)) + radius_;
+  const double above = -turn_ * cross((1 / length(b_ - a_)) * (b_ - a_), p - a_);
+  return std::abs(dot(p - a_, (1 / sum) * (p - b_)) + 2 * (height_ / sum) * above);
 }
 
 double ArcOver::rounding_at(Point p) const {
@@ -112,8 +121,8 @@ double ArcOver::rounding_at(Point p) const {
 }
 
 double ArcOver::share_of(Point p) const {
-  const Vector towards = turn_ * left_normal(a_ - b_), to = p - centre_;  // towards the middle
-  return 0.5 + turn_ * std::atan2(cross(towards, to), dot(towards, to)) / (2 * half_angle_);
+  const Vector to = from_centre(p);
+  return 0.5 + std::atan2(to.x, to.y) / (2 * half_angle_);
 }
 
 bool ArcOver::cuts_off(Point p) const {

@@ -55,7 +55,8 @@ class ArcOver {
   [[nodiscard]] bool is_on_circle(Point p) const {
     return distance_from_circle(p) <= rounding_at(p);
   }
-  /// How far `p` is from the circle of the arc, and what of that may be rounding.
+  /// How far `p` is from the circle of the arc, without loss of digits however large that is, and
+  /// what of it may be rounding of the circle.
   [[nodiscard]] double distance_from_circle(Point p) const;
   [[nodiscard]] double rounding_at(Point p) const;
   /// Which share of the way along the arc leads to `p`, a point of the circle: from 0 to 1 on the
@@ -65,9 +66,13 @@ class ArcOver {
   [[nodiscard]] bool cuts_off(Point p) const;
 
  private:
+  /// From the centre to `p`: along the chord, and towards the middle of the arc.
+  [[nodiscard]] Vector from_centre(Point p) const;
+
   Point a_, b_;
   Point centre_;  ///< of the circle through a and b
   double radius_ = 0;
+  double height_ = 0;      ///< of the chord over the centre
   double half_angle_ = 0;  ///< from the middle to an end
   double turn_ = 1;        ///< 1: counter-clockwise from a to b
 };

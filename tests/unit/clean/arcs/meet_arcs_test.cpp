@@ -98,6 +98,82 @@ TEST(MeetArcs, WeldingTakesNoEndForAnotherArcsThanItsOwn) {
   EXPECT_TRUE(changes.empty());
 }
 
+/// Two regions, with a nearly flat arc between them, the upper one a thin layer of many lines. What
+/// may be rounding does not grow with the radius.
+TEST(MeetArcs, AThinLayerOnAFlatArcKeepsItsPlace) {
+  for (const double radius : {1e6, 1e8, 1e9, 1e12}) {
+    constexpr double kHeight = 1e-6;
+    Input input;
+    input.circles = {{{0.5, -radius}, radius}};
+    input.points = {{0, -1}, {1, -1}, {1, 0}, {0, 0}};
+    for (const double x : {0.0, 0.25, 0.5, 0.75, 1.0}) input.points.push_back({x, kHeight});
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t circle) {
+      InputSegment segment;
+      segment.a = a;
+      segment.b = b;
+      segment.id = static_cast<long>(input.segments.size());
+      segment.circle = circle;
+      input.segments.push_back(segment);
+    };
+    for (const std::uint32_t k : {0U, 1U, 2U, 3U}) add(k, (k + 1) % 4, k == 2 ? 1 : 0);
+    for (const std::uint32_t k : {4U, 5U, 6U, 7U}) add(k, k + 1, 0);
+    add(3, 4, 0);
+    add(2, 8, 0);
+    std::vector<Change> changes;
+    std::vector<Note> notes;
+    EXPECT_FALSE(meet_arcs(input, 0, changes, notes)) << radius;
+    EXPECT_FALSE(meet_arcs(input, 1e-9, changes, notes)) << radius;
+    const Result<Prepared> prepared = prepare(input);
+    ASSERT_TRUE(prepared) << prepared.error().message;
+    EXPECT_EQ(regions_of(*prepared), 2U) << radius;
+    EXPECT_TRUE(prepared->report.changes.empty());
+  }
+}
+
+/// Coordinates that are multiples of 2^-30, so that a shift by 2^20 loses nothing.
+TEST(MeetArcs, AnExactShiftChangesNothing) {
+  const auto coarse = [](Point p) {
+    return Point{std::round(p.x * 0x1p30) / 0x1p30, std::round(p.y * 0x1p30) / 0x1p30};
+  };
+  Input input;
+  testing::add_circle(input, {0, 0}, 1, 8);
+  testing::add_circle(input, {0, 0}, 2, 8);
+  add_line(input, at_angle(1 + 5e-7, 75), at_angle(1.5, 75));
+  for (Point& p : input.points) p = coarse(p);
+  Input shifted = input;
+  constexpr Vector kShift{0x1p20, 0x1p20};
+  for (Point& p : shifted.points) p = p + kShift;
+  for (ArcCircle& circle : shifted.circles) circle.centre = circle.centre + kShift;
+  for (const double weld : {0.0, 1e-6}) {
+    std::vector<Change> changes, changes_shifted;
+    std::vector<Note> notes, notes_shifted;
+    const auto met = meet_arcs(input, weld, changes, notes);
+    const auto met_shifted = meet_arcs(shifted, weld, changes_shifted, notes_shifted);
+    ASSERT_EQ(met.has_value(), met_shifted.has_value());
+    if (met) {
+      EXPECT_EQ(met->segments.size(), met_shifted->segments.size());
+    }
+    EXPECT_EQ(changes.size(), changes_shifted.size());
+    ASSERT_EQ(notes.size(), notes_shifted.size());
+    for (std::size_t k = 0; k < notes.size(); ++k)
+      EXPECT_EQ(notes[k].where.size(), notes_shifted[k].where.size());
+  }
+}
+
+/// An end of the ring's second wall lies on the outer circle, next to an end of chords. What is not
+/// joined to that is an end of chords of its own, however near.
+TEST(MeetArcs, EndsBesideEndsOfChordsMeetTheArc) {
+  for (const double degrees : {1e-8, 3e-11, 3e-13}) {
+    Input input = ring_with_walls();
+    input.points.back() = at_angle(2, 225 - degrees);
+    const Result<Prepared> prepared = prepare(input);
+    ASSERT_TRUE(prepared) << prepared.error().message;
+    EXPECT_EQ(regions_of(*prepared), 2U) << degrees;
+    EXPECT_EQ(prepared->pslg.points, input.points);
+    EXPECT_FALSE(has_note(prepared->report, "nearly meets"));
+  }
+}
+
 TEST(MeetArcs, RingsAndLinesGetEndsOfOthers) {
   Input circle;
   testing::add_circle(circle, {0, 0}, 1, 8);

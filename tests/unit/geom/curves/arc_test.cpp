@@ -38,6 +38,11 @@ TEST(ArcOver, ALargeCircleLosesNoDigits) {
   const ArcOver arc(circle, {-1, -5e-10}, {1, -5e-10});
   EXPECT_NEAR(arc.middle().y, 0, 1e-18);
   EXPECT_NEAR(arc.middle().x, 0, 1e-15);
+  for (const double y : {1e-10, 3e-7}) {
+    EXPECT_NEAR(arc.distance_from_circle({0, y}), y, 1e-15);
+    EXPECT_NEAR(arc.distance_from_circle({0.5, y}), y + 1.25e-10, 1e-15);
+    EXPECT_NEAR(arc.share_of({0.5, y}), 0.75, 1e-14);
+  }
 }
 
 TEST(CommonPoints, AreWhereCirclesCrossOrTouch) {
