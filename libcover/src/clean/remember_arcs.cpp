@@ -41,8 +41,7 @@ void for_each_chord(const Input& input, F f) {
 using Ends = std::pair<Point, Point>;          ///< the smaller first
 using Chords = std::map<Ends, std::uint32_t>;  ///< and the number of their circle
 
-/// Finds segments that are no chords yet by ends that lie near them: within rounding, or as far as
-/// welding moves them.
+/// Finds segments by ends that lie near theirs: within rounding, or as far as welding moves them.
 class NearlyEqual {
  public:
   NearlyEqual(const Pslg& pslg, double weld)
@@ -53,23 +52,35 @@ class NearlyEqual {
     for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
       const Point a = pslg.points[pslg.segments[s].a.index()];
       const Point b = pslg.points[pslg.segments[s].b.index()];
-      if (pslg.segments[s].circle == 0) segments_.emplace(std::minmax(a, b), s);
+      segments_.emplace(std::minmax(a, b), Found{s, pslg.segments[s].circle != 0});
     }
   }
 
   [[nodiscard]] std::optional<std::size_t> segment(const Ends& ends) const {
     const double part = length(ends.second - ends.first) / kWeldedPart;
     const double reach = std::max(rounding_, std::min(most_, part));
-    for (const Point a : near(ends.first, reach)) {
-      for (const Point b : near(ends.second, reach)) {
+    const std::vector<Point> near_first = near(ends.first, reach);
+    const std::vector<Point> near_second = near(ends.second, reach);
+    for (const Point a : near_first) {
+      for (const Point b : near_second) {
         const auto found = segments_.find(std::minmax(a, b));
-        if (found != segments_.end()) return found->second;
+        if (found == segments_.end()) continue;
+        // The chord of another arc may run along this one; but what is still where it was drawn
+        // was not united with it.
+        const bool was_moved = (a == ends.first || near_first[0] != ends.first) &&
+                               (b == ends.second || near_second[0] != ends.second);
+        if (!found->second.is_chord || was_moved) return found->second.segment;
       }
     }
     return std::nullopt;
   }
 
  private:
+  struct Found {
+    std::size_t segment = 0;
+    bool is_chord = false;  ///< already known as one
+  };
+
   /// The nearest first.
   [[nodiscard]] std::vector<Point> near(Point p, double reach) const {
     std::vector<Point> out;
@@ -91,7 +102,7 @@ class NearlyEqual {
   double rounding_;
   double most_;
   NearPoints near_points_;
-  std::map<Ends, std::size_t> segments_;
+  std::map<Ends, Found> segments_;
 };
 
 /// Whether a segment of `pslg` runs along the chord ab from one of its ends.

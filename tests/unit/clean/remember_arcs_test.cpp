@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include <cover/cover_mesh.hpp>
 
@@ -126,6 +127,37 @@ TEST(RememberArcs, PaintedRingsAndLinesRemember) {
   const Result<Prepared> prepared = prepare(input);
   ASSERT_TRUE(prepared) << prepared.error().message;
   EXPECT_EQ(chords_of(prepared->pslg), 12U);
+}
+
+/// A quarter of a disc and what is around it, whose circles differ by one unit in the last place:
+/// welding makes the chords of both the same.
+TEST(RememberArcs, CircleDrawnTwiceWithRoundingIsOne) {
+  constexpr int kChords = 35;
+  Input input;
+  input.circles = {{{0, 0}, 1}, {{2e-16, 0}, 1}};
+  InputPolygon quarter, around;
+  const auto add = [&](InputPolygon& polygon, double shift, int from, int step,
+                       std::uint32_t circle) {
+    for (int k = from; k >= 0 && k <= kChords; k += step) {
+      const double angle = Angle::degrees(90.0 * k / kChords).in_radians();
+      polygon.rings[0].push_back({shift + std::cos(angle), std::sin(angle)});
+      polygon.circles[0].push_back(k + step < 0 || k + step > kChords ? 0 : circle);
+    }
+  };
+  quarter.rings = {{{0, 0}}};
+  quarter.circles = {{0}};
+  add(quarter, 0, 0, 5, 1);
+  around.rings = {{{2, 0}, {2, 2}, {0, 2}}};
+  around.circles = {{0, 0, 0}};
+  add(around, 2e-16, kChords, -7, 2);
+  quarter.material = "a";
+  around.material = "b";
+  input.polygons = {quarter, around};
+  const Result<Prepared> prepared = prepare(input);
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  EXPECT_EQ(chords_of(prepared->pslg), 11U);
+  for (const Note& note : prepared->report.notes)
+    EXPECT_EQ(note.message.find("of arcs"), std::string::npos) << note.message;
 }
 
 TEST(RememberArcs, EndsOffTheirCircleAreRefusedWithPlaces) {
