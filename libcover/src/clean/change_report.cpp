@@ -23,18 +23,6 @@ namespace {
 constexpr std::size_t kPlaces = 5;     ///< named in one sentence; the rest is counted
 constexpr std::size_t kSentences = 3;  ///< of each kind of change in a note
 
-/// "(0, 0), (1, 0) and 3 more places".
-std::string list_of(const std::vector<Point>& where) {
-  std::string out;
-  for (std::size_t k = 0; k < std::min(kPlaces, where.size()); ++k) {
-    out += (k > 0 ? ", " : "") + describe(where[k]);
-  }
-  if (where.size() > kPlaces) {
-    out += " and " + counted(where.size() - kPlaces, "more place");
-  }
-  return out;
-}
-
 /// "from (0, 0) to (1, 0), from (1, 0) to (1, 1) and 3 more" of pairs of ends.
 std::string list_of_edges(const std::vector<Point>& ends) {
   std::string out;
@@ -111,6 +99,17 @@ struct CutLine {
 
 }  // namespace
 
+std::string list_of_places(const std::vector<Point>& where) {
+  std::string out;
+  for (std::size_t k = 0; k < std::min(kPlaces, where.size()); ++k) {
+    out += (k > 0 ? ", " : "") + describe(where[k]);
+  }
+  if (where.size() > kPlaces) {
+    out += " and " + counted(where.size() - kPlaces, "more place");
+  }
+  return out;
+}
+
 void report_splits(const Input& input, const Network& network,
                    const std::vector<VisibleEdge>& edges, std::vector<Change>& changes) {
   const std::vector<bool> is_corner = corners_of_polygons(network);
@@ -144,7 +143,7 @@ void report_splits(const Input& input, const Network& network,
     give_back(cut.points);
     const std::uint32_t raw = cut.raw;
     std::string message =
-        fmt::format("{} was split at {}", name_of_raw(input, network, raw), list_of(where));
+        fmt::format("{} was split at {}", name_of_raw(input, network, raw), list_of_places(where));
     changes.push_back({Change::Kind::split,
                        std::move(message),
                        std::move(where),
@@ -210,7 +209,7 @@ void report_polygons(const Input& input, const Network& network, const EdgeGraph
   };
   for (auto& [polygon, where] : own_crossings(network)) {
     std::string message = fmt::format("{} crosses itself at {}; its inside is taken as even-odd",
-                                      name_of_polygon(input, polygon), list_of(where));
+                                      name_of_polygon(input, polygon), list_of_places(where));
     warn(std::move(message), where);
   }
   Coverage coverage = look_at_edges(network, graph, owners, input.polygons.size());

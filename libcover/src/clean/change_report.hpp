@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <cover/error.hpp>
@@ -14,6 +15,9 @@
 #include "clean/paint/visible_edges.hpp"
 
 namespace cover {
+
+/// "(0, 0), (1, 0) and 3 more places".
+std::string list_of_places(const std::vector<Point>& where);
 
 /// Appends a change for every line of which a piece is visible and that had to be cut, save for a
 /// polygon's side at the corner of another polygon.

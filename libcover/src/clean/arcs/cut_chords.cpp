@@ -12,10 +12,6 @@
 namespace cover {
 namespace {
 
-InputChord chord_between(Point a, Point b, std::uint32_t circle) {
-  return a < b ? InputChord{a, b, circle} : InputChord{b, a, circle};
-}
-
 /// Puts points between the ends of chords.
 class ChordCutter {
  public:
@@ -99,6 +95,10 @@ class ChordCutter {
 };
 
 }  // namespace
+
+InputChord chord_between(Point a, Point b, std::uint32_t circle) {
+  return a < b ? InputChord{a, b, circle} : InputChord{b, a, circle};
+}
 
 bool is_short_enough(const ArcCircle& circle, Point a, Point b) {
   constexpr double kLongestChord = 1.8;  // of the radius; of 120 degrees it is 1.73

@@ -16,6 +16,9 @@ struct InputChord {
   friend constexpr auto operator<=>(const InputChord&, const InputChord&) = default;
 };
 
+/// The chord with these ends.
+InputChord chord_between(Point a, Point b, std::uint32_t circle);
+
 /// Of half a circle and more there is no telling on which side of its chord an arc lies.
 bool is_short_enough(const ArcCircle& circle, Point a, Point b);
 

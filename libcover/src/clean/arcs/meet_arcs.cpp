@@ -14,6 +14,7 @@
 
 #include "clean/arcs/cut_chords.hpp"
 #include "clean/arcs/input_edges.hpp"
+#include "clean/change_report.hpp"
 #include "clean/ends/loose_ends.hpp"
 #include "geom/box.hpp"
 #include "geom/curves/arc.hpp"
@@ -57,6 +58,23 @@ std::vector<EndOfLines> ends_of(const Input& input) {
   return ends;
 }
 
+/// What a chord belongs to, and how that is called.
+std::string name_of_chord(const InputChord& chord, const InputRef& ref) {
+  return fmt::format("the arc of {} {} from {} to {}", describe_kind(ref.kind), ref.id,
+                     describe(chord.a), describe(chord.b));
+}
+
+/// The corners of polygons, in order.
+std::vector<Point> corners_of(const Input& input) {
+  std::vector<Point> corners;
+  for (const InputPolygon& polygon : input.polygons) {
+    for (const std::vector<Point>& ring : polygon.rings)
+      corners.insert(corners.end(), ring.begin(), ring.end());
+  }
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
 /// An end on an arc.
 struct Meeting {
   double share = 0;  ///< of the way along the arc
@@ -78,6 +96,7 @@ class ArcMeeter {
     welded_ = std::max(tolerance_, ends_.empty() ? 0 : rounding_of(corners));
   }
 
+  /// By chord: the ends that lie on its arc.
   ChordCuts find() {
     std::vector<Box> boxes;
     boxes.reserve(chords_.size());
@@ -90,19 +109,14 @@ class ArcMeeter {
     }
     ChordCuts cuts;
     for (auto& [chord, meetings] : meetings_) {
-      std::vector<Point> points = points_along(meetings);
+      std::vector<Point> points = points_along(chord, meetings);
       if (!points.empty()) cuts.emplace(chord, std::move(points));
     }
     return cuts;
   }
 
   void tell(std::vector<Change>& changes, std::vector<Note>& notes) const {
-    for (const Meeting& bent : bent_)
-      changes.push_back({Change::Kind::welded,
-                         fmt::format("an arc was bent by {} to the end of a line at {}",
-                                     describe_roughly(bent.off), describe(bent.at)),
-                         {bent.at},
-                         {}});
+    tell_cuts(changes);
     if (missed_.empty()) return;
     const auto& [nearest, off] = *missed_.begin();
     std::vector<Point> where;
@@ -122,6 +136,48 @@ class ArcMeeter {
   }
 
  private:
+  /// As of straight lines: those that were bent to an end, and those that were split.
+  void tell_cuts(std::vector<Change>& changes) const {
+    if (bent_.empty() && split_.empty()) return;
+    std::map<InputChord, std::vector<InputRef>> elements;
+    for_each_edge(input_, [&](Point a, Point b, std::uint32_t circle, const InputRef& ref) {
+      const InputChord chord = chord_between(a, b, circle);
+      if (bent_.contains(chord) || split_.contains(chord)) elements[chord].push_back(ref);
+    });
+    for (const auto& [chord, meetings] : bent_) {
+      const InputRef& element = elements.at(chord).front();
+      for (const Meeting& m : meetings)
+        changes.push_back(
+            {Change::Kind::welded,
+             fmt::format("{} was bent by {} to the end of a line at {}",
+                         name_of_chord(chord, element), describe_roughly(m.off), describe(m.at)),
+             {m.at},
+             {element}});
+    }
+    const std::vector<Point> corners = corners_of(input_);
+    for (const auto& [chord, points] : split_) {
+      std::vector<Point> inside = points;  // those at which a side of a polygon counts as split
+      std::erase_if(inside,
+                    [&](Point p) { return std::binary_search(corners.begin(), corners.end(), p); });
+      const auto told = [&](const InputRef& element) -> const std::vector<Point>& {
+        // That a polygon's side ends in the middle of another's is what painting is for.
+        return element.kind == InputKind::polygon ? inside : points;
+      };
+      std::vector<InputRef> split = elements.at(chord);
+      std::erase_if(split, [&](const InputRef& element) { return told(element).empty(); });
+      if (split.empty()) continue;
+      const auto line = std::find_if(split.begin(), split.end(), [](const InputRef& element) {
+        return element.kind != InputKind::polygon;
+      });
+      const std::vector<Point>& where = told(line != split.end() ? *line : split.front());
+      changes.push_back({Change::Kind::split,
+                         fmt::format("{} was split at {}", name_of_chord(chord, split.front()),
+                                     list_of_places(where)),
+                         where,
+                         {split.front()}});
+    }
+  }
+
   [[nodiscard]] const ArcCircle& circle_of_chord(const InputChord& chord) const {
     return input_.circles[chord.circle - 1];
   }
@@ -158,13 +214,17 @@ class ArcMeeter {
   }
 
   /// The ends on one arc, without those that are the same as the one before.
-  std::vector<Point> points_along(std::vector<Meeting>& meetings) {
+  std::vector<Point> points_along(const InputChord& chord, std::vector<Meeting>& meetings) {
     std::sort(meetings.begin(), meetings.end());
     std::vector<Point> points;
     for (const Meeting& m : meetings) {
       if (!points.empty() && length(m.at - points.back()) <= m.same) continue;
       points.push_back(m.at);
-      if (m.off > 0) bent_.push_back(m);
+      if (m.off > 0) {
+        bent_[chord].push_back(m);
+      } else {
+        split_[chord].push_back(m.at);
+      }
     }
     return points;
   }
@@ -176,7 +236,8 @@ class ArcMeeter {
   double tolerance_ = 0;
   double welded_ = 0;  ///< ends that are nearer to each other become one after this
   std::map<InputChord, std::vector<Meeting>> meetings_;
-  std::vector<Meeting> bent_;
+  std::map<InputChord, std::vector<Meeting>> bent_;
+  std::map<InputChord, std::vector<Point>> split_;
   std::map<Point, double> missed_;
 };
 

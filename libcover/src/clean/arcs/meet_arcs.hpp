@@ -16,8 +16,9 @@ namespace cover {
 /// An end lies on the arc that is off it by rounding, compared with the chord and with coordinates
 /// and not with the radius, or by no more than `weld` of the size of the drawing; but never by more
 /// than an eighth of the shortest line that ends there, so what is drawn as two lines with one
-/// across stays two lines. Where more than rounding was taken, a change says so. What misses an arc
-/// by more, but by less than is worth a warning, is told.
+/// across stays two lines. Changes tell of every chord that is split, as of straight lines, and of
+/// those that are bent to an end that is off by more than rounding. What misses an arc by more, but
+/// by less than is worth a warning, is told.
 ///
 /// REQUIRES: find_bad_arcs finds nothing
 /// Cost:     O(n log n); that of a look if there are no arcs

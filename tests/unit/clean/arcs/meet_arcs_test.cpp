@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include <fmt/core.h>
+
 #include <cover/cover_mesh.hpp>
 
 #include "geom/curves/arc.hpp"
@@ -61,10 +63,34 @@ TEST(MeetArcs, WallsThatEndOnArcsPartARing) {
   EXPECT_EQ(pslg.segments.size(), 8U + 8 + 2 + 4);
   for (const Segment& s : pslg.segments)
     EXPECT_EQ(circle_of(pslg, s) == nullptr, pslg.names[s.name] == "wall");
-  EXPECT_TRUE(prepared->report.changes.empty());
+}
+
+/// As where they end on straight lines.
+TEST(MeetArcs, ArcsThatAreSplitAreToldAndRefusedIfStrict) {
+  const Input input = ring_with_walls();
+  const Result<Prepared> prepared = prepare(input);
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  const std::vector<Change>& changes = prepared->report.changes;
+  ASSERT_EQ(changes.size(), 4U);
+  for (const Change& change : changes) {
+    EXPECT_EQ(change.kind, Change::Kind::split);
+    ASSERT_EQ(change.where.size(), 1U);
+    EXPECT_EQ(std::count(input.points.end() - 4, input.points.end(), change.where[0]), 1);
+    ASSERT_EQ(change.inputs.size(), 1U);
+    EXPECT_EQ(change.inputs[0].kind, InputKind::segment);
+    const auto id = static_cast<std::size_t>(change.inputs[0].id);
+    ASSERT_LT(id, input.segments.size());
+    EXPECT_NE(change.message.find(fmt::format("the arc of segment {} from", id)),
+              std::string::npos);
+    const ArcCircle& circle = input.circles[input.segments[id].circle - 1];
+    EXPECT_LT(distance_to_circle(circle, change.where[0]), 1e-15);
+  }
   Options strict;
   strict.strict = true;
-  EXPECT_TRUE(prepare(input, strict));
+  const Result<Prepared> refused = prepare(input, strict);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::changed_input);
+  EXPECT_EQ(refused.error().inputs.size(), 4U);
 }
 
 TEST(MeetArcs, EndsOffByMoreThanRoundingAreTakenByWeldingAlone) {
@@ -81,6 +107,10 @@ TEST(MeetArcs, EndsOffByMoreThanRoundingAreTakenByWeldingAlone) {
   EXPECT_EQ(regions_of(*welded), 2U);
   EXPECT_EQ(welded->pslg.points, input.points);
   EXPECT_EQ(welded->report.changes.size(), 4U);
+  for (const Change& change : welded->report.changes) {
+    EXPECT_EQ(change.kind, Change::Kind::welded);
+    EXPECT_EQ(change.inputs.size(), 1U);
+  }
   EXPECT_FALSE(has_note(welded->report, "close to an arc"));
 }
 
@@ -95,7 +125,8 @@ TEST(MeetArcs, WeldingTakesNoEndForAnotherArcsThanItsOwn) {
   const auto met = meet_arcs(input, 1e-4, changes, notes);
   ASSERT_TRUE(met);
   EXPECT_EQ(met->segments.size(), 19U);  // one end for each circle
-  EXPECT_TRUE(changes.empty());
+  ASSERT_EQ(changes.size(), 2U);
+  for (const Change& change : changes) EXPECT_EQ(change.kind, Change::Kind::split);
 }
 
 /// Two regions, with a nearly flat arc between them, the upper one a thin layer of many lines. What
@@ -201,6 +232,11 @@ TEST(MeetArcs, RingsAndLinesGetEndsOfOthers) {
   EXPECT_EQ(std::vector<Point>(ring.begin() + 1, ring.begin() + 3), between);
   EXPECT_EQ(met->polygons[0].circles[0], std::vector<std::uint32_t>(10, 1));
   EXPECT_EQ(met->polygons[1].rings, slot.rings);
+  ASSERT_EQ(changes.size(), 1U);  // of the contact; of polygons' sides alone it is no change
+  EXPECT_EQ(changes[0].kind, Change::Kind::split);
+  ASSERT_EQ(changes[0].inputs.size(), 1U);
+  EXPECT_EQ(changes[0].inputs[0].kind, InputKind::line);
+  EXPECT_EQ(changes[0].where, (std::vector<Point>{between[1], between[0]}));
   const auto& line = met->lines[0].points;
   ASSERT_EQ(line.size(), 4U);
   EXPECT_EQ(std::vector<Point>(line.begin() + 1, line.begin() + 3), between);
