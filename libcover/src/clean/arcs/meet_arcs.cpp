@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
+#include <string>
 #include <utility>
 
 #include <fmt/core.h>
@@ -117,6 +119,17 @@ class ArcMeeter {
 
   void tell(std::vector<Change>& changes, std::vector<Note>& notes) const {
     tell_cuts(changes);
+    if (!too_far_.empty()) {
+      const std::string count = too_far_.size() == 1
+                                    ? "1 end of a line is"
+                                    : fmt::format("{} ends of lines are", too_far_.size());
+      notes.push_back({Note::Kind::warning,
+                       kVoid,
+                       fmt::format("{} within --weld of an arc, but too far off its circle for an "
+                                   "end of it, the first at {}: the arc is not bent so far",
+                                   count, describe(*too_far_.begin())),
+                       {too_far_.begin(), too_far_.end()}});
+    }
     if (missed_.empty()) return;
     const auto& [nearest, off] = *missed_.begin();
     std::vector<Point> where;
@@ -206,7 +219,9 @@ class ArcMeeter {
     const double from_end = std::min(length(end.at - chord.a), length(end.at - chord.b));
     if (from_end <= same) return;
     const double near = kWorthTelling * std::min(end.shortest, length(chord.b - chord.a));
-    if (off <= reach) {
+    if (off <= reach && is_off_circle(circle_of_chord(chord), end.at)) {
+      too_far_.insert(end.at);
+    } else if (off <= reach) {
       meetings_[chord].push_back({share, same, off <= rounding ? 0 : off, end.at});
     } else if (off <= near && from_end > near) {  // near misses of two points are told as such
       missed_.emplace(end.at, off);
@@ -239,6 +254,7 @@ class ArcMeeter {
   std::map<InputChord, std::vector<Meeting>> bent_;
   std::map<InputChord, std::vector<Point>> split_;
   std::map<Point, double> missed_;
+  std::set<Point> too_far_;  ///< within the tolerance, but is_off_circle()
 };
 
 }  // namespace

@@ -21,6 +21,7 @@ namespace cover {
 /// by less than is worth a warning, is told.
 ///
 /// REQUIRES: find_bad_arcs finds nothing
+/// ENSURES:  the same of the input that is returned: no arc is bent farther off its circle
 /// Cost:     O(n log n); that of a look if there are no arcs
 std::optional<Input> meet_arcs(const Input& input, double weld, std::vector<Change>& changes,
                                std::vector<Note>& notes);

@@ -10,6 +10,7 @@
 
 #include <cover/cover_mesh.hpp>
 
+#include "clean/remember_arcs.hpp"
 #include "geom/curves/arc.hpp"
 #include "geom/vector.hpp"
 #include "support/inputs/arc_devices.hpp"
@@ -202,6 +203,28 @@ TEST(MeetArcs, EndsBesideEndsOfChordsMeetTheArc) {
     EXPECT_EQ(regions_of(*prepared), 2U) << degrees;
     EXPECT_EQ(prepared->pslg.points, input.points);
     EXPECT_FALSE(has_note(prepared->report, "nearly meets"));
+  }
+}
+
+/// Whatever --weld asks for: ends of chords are on their circles.
+TEST(MeetArcs, NoArcIsBentTooFarOffItsCircle) {
+  for (const double off : {0.9e-3, 1.1e-3}) {
+    Input input;
+    testing::add_circle(input, {0, 0}, 1, 8);
+    add_line(input, at_angle(1 + off, 30), at_angle(2, 30));
+    std::vector<Change> changes;
+    std::vector<Note> notes;
+    const auto met = meet_arcs(input, 1e-2, changes, notes);
+    const bool is_too_far = off > 1e-3;
+    ASSERT_EQ(met.has_value(), !is_too_far);
+    EXPECT_EQ(changes.empty(), is_too_far);
+    ASSERT_EQ(notes.size(), is_too_far ? 1U : 0U);
+    if (met) {
+      EXPECT_FALSE(find_bad_arcs(*met));
+    } else {
+      EXPECT_NE(notes[0].message.find("too far off its circle"), std::string::npos);
+      EXPECT_EQ(notes[0].where, std::vector<Point>{at_angle(1 + off, 30)});
+    }
   }
 }
 
