@@ -102,12 +102,17 @@ class ArcMeeter {
   ChordCuts find() {
     std::vector<Box> boxes;
     boxes.reserve(chords_.size());
-    for (const InputChord& chord : chords_) boxes.push_back(box_around(chord));
+    for (const InputChord& chord : chords_) {
+      boxes.push_back(box_around(chord));
+      reach_.push_back(reach_of(chord));
+    }
     const BoxTree tree(boxes);
     for (const EndOfLines& end : ends_) {
       Box here;
       here.add(end.at);
-      tree.visit(here, [&](std::uint32_t k) { look(end, chords_[k]); });
+      tree.visit(here, [&](std::uint32_t k) {
+        if (may_be_near(end.at, k)) look(end, chords_[k]);
+      });
     }
     ChordCuts cuts;
     for (auto& [chord, meetings] : meetings_) {
@@ -208,6 +213,23 @@ class ArcMeeter {
     return box;
   }
 
+  /// No end that is farther off the chord's circle is of interest, but for rounding. The arc is off
+  /// that circle by less than five times what its ends are.
+  [[nodiscard]] double reach_of(const InputChord& chord) const {
+    const ArcCircle& circle = circle_of_chord(chord);
+    const double off =
+        std::max(distance_to_circle(circle, chord.a), distance_to_circle(circle, chord.b));
+    return 5 * off + tolerance_ + (kWorthTelling + kRoundingOfChord) * length(chord.b - chord.a) +
+           kRoundingOfChord * circle.radius;
+  }
+
+  /// Boxes around chords of many circles with one centre lie over each other.
+  [[nodiscard]] bool may_be_near(Point p, std::uint32_t k) const {
+    const InputChord& chord = chords_[k];
+    const double largest = largest_coordinate(std::array{chord.a, chord.b, p});
+    return distance_to_circle(circle_of_chord(chord), p) <= reach_[k] + kRoundingOfPlace * largest;
+  }
+
   void look(const EndOfLines& end, const InputChord& chord) {
     if (end.at == chord.a || end.at == chord.b) return;
     const ArcOver arc(circle_of_chord(chord), chord.a, chord.b);
@@ -246,6 +268,7 @@ class ArcMeeter {
 
   const Input& input_;
   std::vector<InputChord> chords_;
+  std::vector<double> reach_;  ///< by chord
   std::vector<EndOfLines> ends_;
   double extent_ = 0;  ///< of the drawing
   double tolerance_ = 0;
