@@ -74,7 +74,7 @@ Indices indices_from(const py::handle& value, const std::string& what) {
     return Indices(py::object(array.attr("astype")("int64", py::arg("copy") = false)));
   if (kind != 'f') throw py::type_error(what + " must be indices: whole numbers");
   refuse_rounded(array, value, what);
-  const Indices indices(py::object(array.attr("astype")("int64")));
+  Indices indices(py::object(array.attr("astype")("int64")));
   if (!py::bool_(array.attr("__eq__")(indices).attr("all")()))
     throw py::value_error(what + " must be indices: whole numbers, of 0 and more");
   return indices;
@@ -94,7 +94,8 @@ void name_segments(const py::dict& lines, Input& input) {
     const Indices indices = indices_from(value, "lines");
     if (indices.ndim() != 1) throw py::value_error("lines: a name needs a list of segments");
     if (indices.size() == 0)
-      input.warnings.push_back("the line '" + own + "' has no segments: it is left out");
+      input.warnings.push_back(
+          std::string("the line '").append(own).append("' has no segments: it is left out"));
     for (py::ssize_t i = 0; i < indices.shape(0); ++i) {
       const std::int64_t s = indices.at(i);
       if (s < 0 || static_cast<std::size_t>(s) >= segments.size())

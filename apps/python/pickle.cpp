@@ -61,7 +61,7 @@ py::array_t<std::int64_t> pickled_ids(const Output& output) {
 
 template <class Number>
 py::array_t<Number, py::array::c_style> array_in(const py::handle& value, py::ssize_t columns) {
-  const auto array =
+  auto array =
       converted<py::array_t<Number, py::array::c_style>>(value, "this is no state of a cover.Mesh");
   const bool fits =
       columns == 1 ? array.ndim() == 1 : array.ndim() == 2 && array.shape(1) == columns;

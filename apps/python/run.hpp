@@ -127,6 +127,7 @@ class CurrentRun {
   CurrentRun& operator=(const CurrentRun&) = delete;
 
   struct State {
+    State(std::stop_source source, int pid) : stop(std::move(source)), process(pid) {}
     std::stop_source stop;
     int process;  ///< a forked one has the runs of its parent, but not their threads
     std::atomic<bool> done{false};

@@ -232,9 +232,9 @@ int dry_run(const MeshCommand& command, const Input& input, const Options& optio
   if (!prepared) {
     Error error = prepared.error();
     // What is refused for its memory has no estimate, but is large.
-    constexpr double triangles = std::numeric_limits<double>::infinity();
+    constexpr double kMany = std::numeric_limits<double>::infinity();
     if (error.code == ErrorCode::out_of_memory &&
-        stays_on_disk(command.plan, command.files, input, options, triangles))
+        stays_on_disk(command.plan, command.files, input, options, kMany))
       error.message +=
           "; a dry run asks for the memory of a mesh that is held, and the run would keep this one "
           "on the disk, region by region";
