@@ -24,10 +24,10 @@ void for_each_edge(const Input& input, F f) {
         ref);
     }
   };
-  static const std::vector<std::uint32_t> kStraight;
+  const std::vector<std::uint32_t> straight;
   for (const InputPolygon& polygon : input.polygons) {
     for (std::size_t r = 0; r < polygon.rings.size(); ++r)
-      path(polygon.rings[r], r < polygon.circles.size() ? polygon.circles[r] : kStraight, true,
+      path(polygon.rings[r], r < polygon.circles.size() ? polygon.circles[r] : straight, true,
            {InputKind::polygon, polygon.id});
   }
   for (const InputLine& line : input.lines)

@@ -173,7 +173,8 @@ class ArcMeeter {
              {element}});
     }
     const std::vector<Point> corners = corners_of(input_);
-    for (const auto& [chord, points] : split_) {
+    for (const auto& [chord, all] : split_) {
+      const std::vector<Point>& points = all;
       std::vector<Point> inside = points;  // those at which a side of a polygon counts as split
       std::erase_if(inside,
                     [&](Point p) { return std::binary_search(corners.begin(), corners.end(), p); });
