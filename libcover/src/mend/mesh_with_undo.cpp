@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "base/containers/order.hpp"
 #include "base/numbers.hpp"
@@ -25,10 +26,11 @@ constexpr std::uint32_t kMostSteps = 64;  ///< of a walk
 constexpr double kFilter = 1e-12;  ///< of the largest product: below, signs are looked at exactly
 /// More than angle_rounding() of a triangle by its largest coordinate over its shortest edge.
 constexpr double kMostRounding = 5 * std::numeric_limits<double>::epsilon();
-constexpr float kBadBySign = 0.25;   ///< cost of a triangle whose coupling has the wrong sign
-constexpr float kBeyondWorst = 16;   ///< more than all else that a triangle costs
-constexpr double kBadAtLeast = 0.4;  ///< cost of a triangle that is hardly bad
-constexpr double kFreeAtMost = 4;    ///< times the triangles: entries of the list of free ones
+constexpr float kBadBySign = 0.25;  ///< cost of a triangle whose coupling has the wrong sign
+constexpr float kBeyondWorst = 16;  ///< more than all else that a triangle costs
+constexpr double kFlat = std::numbers::sqrt3;  ///< cotangent of 30 degrees: above 150
+constexpr double kBadAtLeast = 0.4;            ///< cost of a triangle that is hardly bad
+constexpr double kFreeAtMost = 4;  ///< times the triangles: entries of the list of free ones
 
 /// Whether an angle is obtuse by so much that neither its sign nor its rounding matters: for most,
 /// that spares three roots and an exact product.
@@ -78,9 +80,17 @@ void MeshWithUndo::link_all(const ConformingMesh& mesh) {
   }
 }
 
-/// Flips what is not locally Delaunay, unless that brings in a triangle beyond the worst.
+/// Flips what is not locally Delaunay, unless that brings in a flat triangle beyond the worst: one
+/// that loses a region its bound. Others are flipped for their couplings, and mended.
 void MeshWithUndo::make_delaunay() {
-  const auto beyond = [&](const Triangle& t) { return cost_of(t) >= kBeyondWorst ? 1 : 0; };
+  const auto is_flat = [&](const Triangle& t) {
+    const Point a = at(t.v[0]), b = at(t.v[1]), c = at(t.v[2]);
+    const double blunt = std::min({dot(b - a, c - a), dot(c - b, a - b), dot(a - c, b - c)});
+    return blunt < -kFlat * std::max(cross(b - a, c - a), 0.0);
+  };
+  const auto beyond = [&](const Triangle& t) {
+    return is_flat(t) && cost_of(t) >= kBeyondWorst ? 1 : 0;
+  };
   std::vector<std::uint32_t> waiting(triangles_.size());
   for (std::uint32_t t = 0; t < waiting.size(); ++t) waiting[t] = t;
   while (!waiting.empty()) {

@@ -72,7 +72,7 @@ void expect_delaunay(const MeshWithUndo& mesh) {
 }
 
 // Its Delaunay triangulation has an angle of 153 degrees at (0, 0), the other one none above 105.
-TEST(MeshWithUndo, BeginsWithoutTrianglesBeyondTheWorstThatTheMeshDoesNotHave) {
+TEST(MeshWithUndo, BeginsWithoutFlatTrianglesBeyondTheWorstThatTheMeshDoesNotHave) {
   ConformingMesh quadrilateral;
   quadrilateral.points = {{0, 0}, {10, 0}, {1, 2}, {0, -2}};
   quadrilateral.line.assign(4, kFixedVertices);
@@ -87,9 +87,9 @@ TEST(MeshWithUndo, BeginsWithoutTrianglesBeyondTheWorstThatTheMeshDoesNotHave) {
   };
   const Shape as_it_was{{{0, 1, 2}, 0}, {{0, 3, 1}, 0}}, delaunay{{{0, 3, 2}, 0}, {{1, 2, 3}, 0}};
   EXPECT_EQ(shape_with(-kInfinity), delaunay);
-  EXPECT_EQ(shape_with(-3), delaunay);      // 162 degrees
-  EXPECT_EQ(shape_with(-0.5), as_it_was);   // 117 degrees
-  EXPECT_EQ(shape_with(-0.125), delaunay);  // 97 degrees: both have one beyond it
+  EXPECT_EQ(shape_with(-3), delaunay);       // 162 degrees
+  EXPECT_EQ(shape_with(-0.5), as_it_was);    // 117 degrees
+  EXPECT_EQ(shape_with(-0.125), as_it_was);  // 97 degrees
 }
 
 // The foot of a vertex hardly beside a piece is rounded to its other side.
