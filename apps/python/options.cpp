@@ -267,11 +267,9 @@ std::vector<std::string> idle_read_options(const std::vector<const ReadOptionEnt
 
 std::vector<std::string> idle_write_options(const std::vector<const WriteOptionEntry*>& given,
                                             const std::string& extension) {
-  const bool is_picture = extension == ".svg" || extension == ".png";
   std::vector<std::string> sentences;
   for (const WriteOptionEntry* entry : given) {
-    const bool is_drawn = is_picture && entry->name == "order";
-    if (!is_drawn && !counts_with(*entry, extension)) sentences.push_back(does_nothing(*entry));
+    if (!counts_with(*entry, extension)) sentences.push_back(does_nothing(*entry));
   }
   return sentences;
 }

@@ -113,12 +113,15 @@ Error MeshSource::named(Error error) const {
   return error;
 }
 
+void warn_of_corners(const MeshSource& source, spdlog::logger& log) {
+  log.warn("{}: triangles have six nodes, of which the corners are taken", source.name());
+}
+
 Result<MeshTriangles> read_triangles(const MeshSource& source, spdlog::logger& log) {
   const std::string& path = source.file();
   Result<MeshFile> mesh = read_mesh(path);
   if (!mesh) return source.named(std::move(mesh).error());
-  if (mesh->second_order && mesh->middles.empty())
-    log.warn("{}: triangles have six nodes, of which the corners are taken", source.name());
+  if (mesh->second_order && mesh->middles.empty()) warn_of_corners(source, log);
   MeshTriangles triangles;
   triangles.middles = std::move(mesh->middles);
   triangles.cut_vertices = mesh->cut_vertices;

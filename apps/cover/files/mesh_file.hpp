@@ -59,10 +59,13 @@ struct MeshTriangles {
 };
 
 /// The triangles of a mesh, in any format of read_mesh(). Formats that have groups
-/// instead of materials need the manifest beside the mesh. A warning tells where a manifest is that
-/// of another mesh.
+/// instead of materials need the manifest beside the mesh. A warning tells where some triangles
+/// alone have six nodes, which are left out, and where a manifest is that of another mesh.
 ///
 /// Errors: those of read_mesh() and read_output()
 Result<MeshTriangles> read_triangles(const MeshSource& source, spdlog::logger& log);
+
+/// For those who take no MeshTriangles::middles.
+void warn_of_corners(const MeshSource& source, spdlog::logger& log);
 
 }  // namespace cover::app

@@ -141,6 +141,14 @@ void add_circle(Input& input, Point centre, double radius, int chords, const cha
   }
 }
 
+InputPolygon disc_of(const Input& circle, const char* material) {
+  InputPolygon disc;
+  disc.rings = {circle.points};
+  disc.circles = {std::vector<std::uint32_t>(circle.points.size(), 1)};
+  disc.material = material;
+  return disc;
+}
+
 Input random_arc_device(std::uint64_t seed) {
   Random random(seed);
   Input input;

@@ -117,13 +117,10 @@ TEST(RememberArcs, PaintedRingsAndLinesRemember) {
   testing::add_circle(circle, {0, 0}, 1, 12);
   Input input;
   input.circles = circle.circles;
-  InputPolygon below, above;
+  InputPolygon below;
   below.rings = {{{-3, -3}, {3, -3}, {3, 3}, {-3, 3}}};
   below.material = "a";
-  above.rings = {circle.points};
-  above.circles = {std::vector<std::uint32_t>(12, 1)};
-  above.material = "b";
-  input.polygons = {below, above};
+  input.polygons = {below, testing::disc_of(circle, "b")};
   const Result<Prepared> prepared = prepare(input);
   ASSERT_TRUE(prepared) << prepared.error().message;
   EXPECT_EQ(chords_of(prepared->pslg), 12U);

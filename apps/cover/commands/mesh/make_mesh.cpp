@@ -68,8 +68,7 @@ Result<Output> mesh_again(const MeshPlan& plan, const Input& input, const Option
   Result<MeshTriangles> onto = read_triangles(*source, log);
   if (!onto) return std::move(onto).error();
   if (!onto->has_materials) onto->soup.material.clear();
-  if (!onto->middles.empty())
-    log.warn("{}: triangles have six nodes, of which the corners are taken", source->name());
+  if (!onto->middles.empty()) warn_of_corners(*source, log);
   Result<Output> output = remesh(input, onto->soup, plan.only, options, callbacks);
   if (output) {
     output->report.provenance.settings.push_back({"onto", plan.onto});

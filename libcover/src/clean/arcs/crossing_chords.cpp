@@ -52,7 +52,7 @@ class ChordParter {
     }
     std::vector<Box> boxes;
     boxes.reserve(chords_.size());
-    for (const InputChord& chord : chords_) boxes.push_back(box_around_arc(chord));
+    for (const InputChord& chord : chords_) boxes.push_back(box_where_met(chord));
     arcs_ = BoxTree(boxes);
   }
 
@@ -112,18 +112,14 @@ class ChordParter {
   };
 
   [[nodiscard]] ArcOver arc_over(const InputChord& chord) const {
-    return {input_.circles[chord.circle - 1], chord.a, chord.b};
+    return cover::arc_over(input_, chord);
   }
 
   /// Where the arc may be met, up to how well touching places are known.
-  [[nodiscard]] Box box_around_arc(const InputChord& chord) const {
-    const ArcOver arc = arc_over(chord);
-    const double away = length(arc.middle() - midpoint(chord.a, chord.b)) +
-                        2 * kTouching * length(chord.b - chord.a) + arc.rounding_at(chord.a);
-    Box box = box_of(std::array{chord.a, chord.b});
-    box.low = box.low + Vector{-away, -away};
-    box.high = box.high + Vector{away, away};
-    return box;
+  [[nodiscard]] Box box_where_met(const InputChord& chord) const {
+    return box_around_arc(
+        input_, chord,
+        2 * kTouching * length(chord.b - chord.a) + arc_over(chord).rounding_at(chord.a));
   }
 
   /// By piece: whether it is to be halved, for itself or for a new one.

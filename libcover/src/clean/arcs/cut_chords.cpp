@@ -2,6 +2,7 @@
 #include "clean/arcs/cut_chords.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -113,6 +114,19 @@ std::vector<InputChord> chords_of(const Input& input) {
   });
   sort_unique(chords);
   return chords;
+}
+
+ArcOver arc_over(const Input& input, const InputChord& chord) {
+  return {input.circles[chord.circle - 1], chord.a, chord.b};
+}
+
+Box box_around_arc(const Input& input, const InputChord& chord, double more) {
+  const Point middle = arc_over(input, chord).middle();
+  const double away = length(middle - midpoint(chord.a, chord.b)) + more;
+  Box box = box_of(std::array{chord.a, chord.b});
+  box.low = box.low + Vector{-away, -away};
+  box.high = box.high + Vector{away, away};
+  return box;
 }
 
 Input cut_chords(const Input& input, const ChordCuts& cuts) {

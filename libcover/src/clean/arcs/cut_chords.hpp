@@ -7,6 +7,9 @@
 
 #include <cover/input.hpp>
 
+#include "geom/box.hpp"
+#include "geom/curves/arc.hpp"
+
 namespace cover {
 
 /// A chord of an input, whichever way round it is drawn and however often.
@@ -26,6 +29,12 @@ bool is_short_enough(const ArcCircle& circle, Point a, Point b);
 ///
 /// REQUIRES: find_bad_arcs finds nothing
 std::vector<InputChord> chords_of(const Input& input);
+
+/// The arc over a chord of the input.
+ArcOver arc_over(const Input& input, const InputChord& chord);
+
+/// A box around that arc, wider by `more` on all sides.
+Box box_around_arc(const Input& input, const InputChord& chord, double more);
 
 /// By chord: points between its ends, in order from a to b.
 using ChordCuts = std::map<InputChord, std::vector<Point>>;

@@ -108,9 +108,7 @@ class ArcMeeter {
     }
     const BoxTree tree(boxes);
     for (const EndOfLines& end : ends_) {
-      Box here;
-      here.add(end.at);
-      tree.visit(here, [&](std::uint32_t k) {
+      tree.visit(box_of(std::array{end.at}), [&](std::uint32_t k) {
         if (may_be_near(end.at, k)) look(end, chords_[k]);
       });
     }
@@ -203,15 +201,9 @@ class ArcMeeter {
 
   /// All that is of interest to the arc over a chord lies in it.
   [[nodiscard]] Box box_around(const InputChord& chord) const {
-    const ArcOver arc(circle_of_chord(chord), chord.a, chord.b);
-    Box box;
-    box.add(chord.a);
-    box.add(chord.b);
-    const double away = length(arc.middle() - midpoint(chord.a, chord.b)) + tolerance_ +
-                        rounding_on(chord, chord.a) + kWorthTelling * length(chord.b - chord.a);
-    box.low = box.low + Vector{-away, -away};
-    box.high = box.high + Vector{away, away};
-    return box;
+    return box_around_arc(
+        input_, chord,
+        tolerance_ + rounding_on(chord, chord.a) + kWorthTelling * length(chord.b - chord.a));
   }
 
   /// No end that is farther off the chord's circle is of interest, but for rounding. The arc is off
@@ -233,7 +225,7 @@ class ArcMeeter {
 
   void look(const EndOfLines& end, const InputChord& chord) {
     if (end.at == chord.a || end.at == chord.b) return;
-    const ArcOver arc(circle_of_chord(chord), chord.a, chord.b);
+    const ArcOver arc = arc_over(input_, chord);
     const double share = arc.share_of(end.at);
     if (!(share > 0 && share < 1)) return;
     const double off = arc.distance_from_circle(end.at), rounding = rounding_on(chord, end.at);

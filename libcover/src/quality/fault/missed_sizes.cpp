@@ -38,16 +38,9 @@ std::vector<bool> vertices_to_ask(const RegionBoundary& boundary) {
   return is_asked;
 }
 
-}  // namespace
-
-std::optional<Note> missed_sizes(const RegionBoundary& boundary, const RegionMesh& mesh) {
-  if (mesh.report.method.starts_with("almond"))
-    return warning(boundary,
-                   "the sizes asked for do not count here: no mesh refined to them holds the "
-                   "proven bound, and the almond method, which does, knows no sizes",
-                   {});
-  if (boundary.size_at.empty()) return std::nullopt;
-  const std::vector<bool> is_asked = vertices_to_ask(boundary);
+/// By vertex that is asked: how long its edges are on average, but for sides; 0: it has none.
+std::vector<double> mean_edges(const RegionBoundary& boundary, const RegionMesh& mesh,
+                               const std::vector<bool>& is_asked) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
   for (const auto& [a, b] : boundary.sides) sides.emplace_back(std::minmax(a, b));
   std::sort(sides.begin(), sides.end());
@@ -65,23 +58,36 @@ std::optional<Note> missed_sizes(const RegionBoundary& boundary, const RegionMes
       }
     }
   }
+  for (std::size_t v = 0; v < sum.size(); ++v)
+    if (count[v] > 0) sum[v] /= static_cast<double>(count[v]);
+  return sum;
+}
+
+}  // namespace
+
+std::optional<Note> missed_sizes(const RegionBoundary& boundary, const RegionMesh& mesh) {
+  if (mesh.report.method.starts_with("almond"))
+    return warning(boundary,
+                   "the sizes asked for do not count here: no mesh refined to them holds the "
+                   "proven bound, and the almond method, which does, knows no sizes",
+                   {});
+  if (boundary.size_at.empty()) return std::nullopt;
+  const std::vector<double> mean = mean_edges(boundary, mesh, vertices_to_ask(boundary));
+  const auto times = [&](std::size_t v) { return mean[v] / boundary.size_at[v]; };
   std::vector<Point> where;
   std::size_t worst = 0;
-  double worst_ratio = 0, worst_mean = 0;
-  for (std::size_t v = 0; v < sum.size(); ++v) {
-    if (count[v] == 0) continue;
-    const double mean = sum[v] / static_cast<double>(count[v]), ratio = mean / boundary.size_at[v];
-    if (ratio <= kMuchLonger) continue;
-    where.push_back(points[v]);
-    if (ratio > worst_ratio) worst = v, worst_ratio = ratio, worst_mean = mean;
+  for (std::size_t v = 0; v < mean.size(); ++v) {
+    if (mean[v] == 0 || times(v) <= kMuchLonger) continue;
+    if (where.empty() || times(v) > times(worst)) worst = v;
+    where.push_back(boundary.points[v]);
   }
   if (where.empty()) return std::nullopt;
   const std::string what = fmt::format(
       "edges at {} with a size of {} own are longer than asked, on average up to {:.4g} in place "
       "of {:.4g} at {}: beside long segments, which stay whole unless --split-interfaces cuts "
       "them, angles come before sizes",
-      counted(where.size(), "point"), where.size() == 1 ? "its" : "their", worst_mean,
-      boundary.size_at[worst], describe(points[worst]));
+      counted(where.size(), "point"), where.size() == 1 ? "its" : "their", mean[worst],
+      boundary.size_at[worst], describe(boundary.points[worst]));
   return warning(boundary, what, std::move(where));
 }
 

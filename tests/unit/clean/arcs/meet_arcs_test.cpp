@@ -233,10 +233,8 @@ TEST(MeetArcs, RingsAndLinesGetEndsOfOthers) {
   testing::add_circle(circle, {0, 0}, 1, 8);
   Input input;
   input.circles = circle.circles;
-  InputPolygon disc, slot;
-  disc.rings = {circle.points};
-  disc.circles = {std::vector<std::uint32_t>(8, 1)};
-  disc.material = "iron";
+  const InputPolygon disc = testing::disc_of(circle, "iron");
+  InputPolygon slot;
   slot.rings = {{at_angle(1, 20), at_angle(1.5, 20), at_angle(1.5, 30), at_angle(1, 30)}};
   slot.material = "copper";
   InputLine contact;
