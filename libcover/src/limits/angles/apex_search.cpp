@@ -30,7 +30,6 @@ namespace cover {
 namespace {
 
 constexpr std::size_t kTriangles = 24;  ///< around a side, whose sides are obstacles
-constexpr double kSmallestBox = 1e-7;   ///< in radians: not cut any more
 constexpr double kLargeBox = 0.3;       ///< in radians: its lower half is looked at first
 constexpr double kRounding = 1e-13;     ///< relative: of places in the frame, with room to spare
 constexpr double kFlat = 1e-6;  ///< an apex under less is too far away for its place to be known
@@ -43,10 +42,12 @@ ApexSearch::Direction ApexSearch::direction_of(double angle) {
   return {angle, std::sin(angle), std::cos(angle)};
 }
 
-ApexSearch::ApexSearch(const RegionView& view, ClearZones& zones, const FanGrowth& growth)
+ApexSearch::ApexSearch(const RegionView& view, ClearZones& zones, const FanGrowth& growth,
+                       double smallest_box)
     : view_(view),
       zones_(zones),
       growth_(growth),
+      smallest_box_(smallest_box),
       range_(growth.range()),
       minds_ending_(zones.meshes() == Meshes::coupled && range_.least > 0),
       cot_(cot_of(zones.angle())),
@@ -494,7 +495,7 @@ bool ApexSearch::has_none(std::uint32_t side, std::uint64_t& budget) {
     stack_.pop_back();
     if (is_out(box)) continue;
     const double wide = box.a[1].angle - box.a[0].angle, high = box.b[1].angle - box.b[0].angle;
-    if (std::max(wide, high) < kSmallestBox) return false;
+    if (std::max(wide, high) < smallest_box_) return false;
     const bool cut_a = wide > high;
     const Direction middle = direction(cut_a ? (box.a[0].angle + box.a[1].angle) / 2
                                              : (box.b[0].angle + box.b[1].angle) / 2);

@@ -19,8 +19,9 @@ namespace cover {
 class ApexSearch {
  public:
   /// REQUIRES: no vertex sees a side under more than range.most; `zones` are for range.most; all
-  ///           outlive this
-  ApexSearch(const RegionView& view, ClearZones& zones, const FanGrowth& growth);
+  ///           outlive this. Boxes below `smallest_box`, in radians, are not cut any more
+  ApexSearch(const RegionView& view, ClearZones& zones, const FanGrowth& growth,
+             double smallest_box);
 
   /// True: no covering mesh has a triangle on this side, with all angles in the range. False: it
   /// may have one.
@@ -118,6 +119,7 @@ class ApexSearch {
   const RegionView& view_;
   ClearZones& zones_;
   const FanGrowth& growth_;
+  double smallest_box_;
   AngleRange range_;
   bool minds_ending_;
   double cot_;       ///< of the angle that an edge may be seen under

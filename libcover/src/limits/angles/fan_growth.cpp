@@ -24,8 +24,10 @@ constexpr int kMostInFan = 96;  ///< larger fans are not bounded: what they prov
 
 }  // namespace
 
-FanGrowth::FanGrowth(AngleRange range) : range_(range) {
+FanGrowth::FanGrowth(AngleRange range)
+    : range_(range), log_sine_most_(std::log(std::sin(range.most))) {
   if (!(range.least > 0)) return;
+  log_sine_least_ = std::log(std::sin(range.least));
   peak_ = std::clamp(std::numbers::pi / 2 - range.least, range.least,
                      std::numbers::pi - 2 * range.least);
   const double kink = std::numbers::pi - range.most - range.least;
@@ -38,6 +40,12 @@ FanGrowth::FanGrowth(AngleRange range) : range_(range) {
     slope_ = (of_one(steepest_from_) - start_) / (steepest_from_ - range.least);
   }
   most_per_radian_ = std::max(start_ / range.least, of_one(steepest_from_) / steepest_from_);
+  const double top = std::min(peak_, range.most);
+  chord_ = (top - range.least) / kChords;
+  for (std::size_t k = 0; k <= kChords; ++k) {
+    const bool is_last = k == kChords;
+    at_chords_[k] = concave(is_last ? top : range.least + static_cast<double>(k) * chord_);
+  }
 }
 
 /// Where the slope of the chord from the start is largest, from `kink` to the peak: it grows up to
@@ -65,7 +73,8 @@ double FanGrowth::of_one(double angle) const {
   const double y = std::max(range_.least, std::numbers::pi - angle - range_.most);
   const double z = std::numbers::pi - angle - y;
   if (z < range_.least - kAngleSlack) return -1;
-  return std::max(0.0, std::log(std::sin(z) / std::sin(y)));
+  return std::max(0.0, y > range_.least ? log_sine_most_ - std::log(std::sin(y))
+                                        : std::log(std::sin(z)) - log_sine_least_);
 }
 
 double FanGrowth::concave(double angle) const {
@@ -133,6 +142,24 @@ double FanGrowth::growth_at_peaks(double low, double high) const {
   return k == 1 ? at_peak_ : k * concave(peak_);
 }
 
+/// The concave majorant from below, up to its peak.
+double FanGrowth::at_chord(double angle) const {
+  const double part = (angle - range_.least) / chord_;
+  const std::size_t k = std::min(static_cast<std::size_t>(std::max(part, 0.0)), kChords - 1);
+  return at_chords_[k] + (part - static_cast<double>(k)) * (at_chords_[k + 1] - at_chords_[k]);
+}
+
+/// No more than what some triangles grow that have `high` in sum; -1 if that is not known. Of the
+/// numbers that keep each below the peak, the fewest and the most: mostly one of them is enough, and
+/// no logarithm is needed.
+double FanGrowth::growth_by_chords(double low, double high) const {
+  if (!(chord_ > 0)) return -1;
+  const double most = std::min(std::floor(high / range_.least), double{kMostInFan});
+  const double fewest = std::max(2.0, std::ceil(high / std::min(peak_, range_.most)));
+  if (!(fewest <= most) || !(low <= high)) return -1;
+  return std::max(fewest * at_chord(high / fewest), most * at_chord(high / most));
+}
+
 /// What no number of triangles exceeds that have `high` in sum: k h(f / k) = f h(x) / x, and h(x) /
 /// x is largest at an end of the tangent, since the second part of g goes through zero.
 double FanGrowth::most_growth(double high) const {
@@ -148,8 +175,10 @@ bool FanGrowth::may_lead(double low, double high, double ratio) const {
   // It is no more than what its argument has above one, and mostly this is enough.
   const double at_peaks = growth_at_peaks(low, high);
   if (at_peaks >= ratio - 1) return true;
+  const double known = std::max(at_peaks, growth_by_chords(low, high));
+  if (known >= ratio - 1) return true;
   const double wanted = std::max(std::log(ratio) - 4 * kAngleSlack, 0.0);
-  if (at_peaks >= wanted) return true;
+  if (known >= wanted) return true;
   if (wanted > most_of_any) return false;
   return log_ratio(std::max(low, 0.0), high, wanted) >= wanted;
 }

@@ -61,6 +61,8 @@ class FanGrowth {
   [[nodiscard]] double part_of(const AngleRange& apex) const;
   [[nodiscard]] bool may_fill(double low, double high) const;
   [[nodiscard]] double growth_at_peaks(double low, double high) const;
+  [[nodiscard]] double growth_by_chords(double low, double high) const;
+  [[nodiscard]] double at_chord(double angle) const;
   [[nodiscard]] double most_growth(double high) const;
   [[nodiscard]] double concave(double angle) const;
   [[nodiscard]] double tangent_point(double kink) const;
@@ -72,6 +74,10 @@ class FanGrowth {
   double peak_ = 0;     ///< the angle at which one triangle grows most
   double at_peak_ = 0;  ///< so much
   double most_per_radian_ = 0;
+  double log_sine_least_ = 0, log_sine_most_ = 0;
+  static constexpr std::size_t kChords = 4;
+  double chord_ = 0;  ///< the width of equal parts from the least angle to the peak, or the most,
+  std::array<double, kChords + 1> at_chords_{};  ///< and the concave majorant at their ends
 };
 
 }  // namespace cover

@@ -69,8 +69,9 @@ LimitProver::LimitProver(const Triangulation& cdt, const Team& team)
 /// same.
 class LimitProver::Question {
  public:
-  Question(const RegionView& view, const Team& team, const FanGrowth& growth, Meshes meshes)
-      : view_(view), team_(team), growth_(growth), meshes_(meshes) {}
+  Question(const RegionView& view, const Team& team, const FanGrowth& growth, Meshes meshes,
+           double smallest_box)
+      : view_(view), team_(team), growth_(growth), meshes_(meshes), smallest_box_(smallest_box) {}
 
   /// Asks `sides` for `most_boxes` each, but the first one for `of_first`. Those that need more are
   /// left in `sides`.
@@ -110,14 +111,14 @@ class LimitProver::Question {
   };
   /// For one thread at a time. What it remembers changes no answer.
   struct Asker {
-    Asker(const RegionView& view, const FanGrowth& growth, Meshes meshes)
-        : zones(view, growth.range().most, meshes), search(view, zones, growth) {}
+    Asker(const RegionView& view, const FanGrowth& growth, Meshes meshes, double smallest_box)
+        : zones(view, growth.range().most, meshes), search(view, zones, growth, smallest_box) {}
     ClearZones zones;
     ApexSearch search;
   };
 
   Answer ask(std::uint32_t side, std::uint64_t given) {
-    if (askers_.empty()) askers_.push_back(std::make_unique<Asker>(view_, growth_, meshes_));
+    if (askers_.empty()) askers_.push_back(new_asker());
     return ask(*askers_.front(), side, given);
   }
   static Answer ask(Asker& asker, std::uint32_t side, std::uint64_t given) {
@@ -136,6 +137,9 @@ class LimitProver::Question {
       give_back(std::move(asker));
     });
   }
+  [[nodiscard]] std::unique_ptr<Asker> new_asker() const {
+    return std::make_unique<Asker>(view_, growth_, meshes_, smallest_box_);
+  }
   std::unique_ptr<Asker> take_asker() {
     {
       const std::lock_guard lock(mutex_);
@@ -145,7 +149,7 @@ class LimitProver::Question {
         return asker;
       }
     }
-    return std::make_unique<Asker>(view_, growth_, meshes_);
+    return new_asker();
   }
   void give_back(std::unique_ptr<Asker> asker) {
     const std::lock_guard lock(mutex_);
@@ -156,6 +160,7 @@ class LimitProver::Question {
   const Team& team_;
   const FanGrowth& growth_;
   Meshes meshes_;
+  double smallest_box_;
   std::vector<Answer> answers_;  ///< of the sides from first_ on
   std::size_t first_ = 0;
   std::mutex mutex_;
@@ -264,7 +269,7 @@ bool LimitProver::ask_sides(const FanGrowth& growth, std::uint64_t& budget,
                             const ProofEffort& effort, Meshes meshes, Asked asked) {
   if (effort.per_search == 0 || (asked == Asked::last && !has_refuter_)) return false;
   const AngleRange range = growth.range();
-  Question question(view_, team_, growth, meshes);
+  Question question(view_, team_, growth, meshes, effort.smallest_box);
   const auto sides = static_cast<std::uint32_t>(view_.sides().size());
   undecided_.clear();
   if (asked == Asked::last) undecided_.push_back(last_refuter_);

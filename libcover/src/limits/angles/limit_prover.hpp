@@ -40,12 +40,17 @@ struct ProofEffort {
   std::uint64_t per_search = 400;  ///< for one side and one question,
   std::uint64_t at_first = 16;     ///< of which so many before the next side is asked
   bool asks_far = true;            ///< where no limit is near, whether there is one by five degrees
+  /// In radians: what is not cut any more lies on the border of what is forbidden, where hardly a
+  /// proof needs finer boxes. With 1e-7 all effort proves 11 of 2,000 Voronoi cells fewer: what is
+  /// spent there is not left for other sides. With 1e-3 it proves 23 more, but not that squares
+  /// leave no angle below 89.9 degrees.
+  double smallest_box = 1e-4;
 
   /// What corners say, without any box: of 2,000 Voronoi cells and 5,000 parcels 16 boxes for a
   /// side prove a tenth more, for a sixth of the time of little effort.
-  static ProofEffort brief() { return {0, 0, 0, 0, false}; }
+  static ProofEffort brief() { return {0, 0, 0, 0, false, 0}; }
   /// What pays beside a mesh: of 2,000 Voronoi cells, 400 boxes for a side prove 3 limits more.
-  static ProofEffort usual() { return {10, 240, 200, 8, false}; }
+  static ProofEffort usual() { return {10, 240, 200, 4, false, 1e-3}; }
 };
 
 /// Proves limits of one region.
