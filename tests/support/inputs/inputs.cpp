@@ -191,6 +191,19 @@ Input segments_between(const std::vector<Point>& points,
   return sketch.input;
 }
 
+Input pinch_out() {
+  return segments_between({{0, -60},
+                           {400, -60},
+                           {400, 25},
+                           {0, 25},
+                           {100, 10},
+                           {200, 10.007},
+                           {300, 9.9},
+                           {300, 10.7},
+                           {200, 10.407}},
+                          {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 8}, {8, 4}});
+}
+
 Input random_cells(int cuts, std::uint64_t seed) {
   Cake cake(seed);
   for (int k = 0; k < cuts; ++k) cake.cut();

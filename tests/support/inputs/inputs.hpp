@@ -27,6 +27,11 @@ Input input_of(const Loop& loop);
 Input segments_between(const std::vector<Point>& points,
                        const std::vector<std::array<std::uint32_t, 2>>& ends);
 
+/// A layer that pinches out in a wedge of a fifth of a degree within a taller one, with corners in
+/// pairs, one above the other, as sections through the ground have them: walls are seen from the
+/// other ones at hardly more than a right angle.
+Input pinch_out();
+
 /// A square cut `cuts` times in two, one convex piece at a time, by a random line; a seed per piece
 /// with material 1 to 3. Corners of a piece lie in the middle of its neighbours' sides, which are
 /// cut there and bent by rounding: angles next to 180 degrees.

@@ -218,6 +218,19 @@ class Splitter {
                        [&](SegmentId other) { return !pieces_[other.index()].is_rigid; });
   }
 
+  /// The foot of `apex` on ab; or, where it is so near to an end that it would leave a needle, the
+  /// place as far from that end as the apex is from its foot: seen from there, the end is at less
+  /// than a right angle as well.
+  [[nodiscard]] static Point place_for(Point a, Point b, Point apex) {
+    const Point foot = foot_on(a, b, apex);
+    const double height = length(apex - foot), whole = length(b - a);
+    for (const auto& [end, other] : {std::pair{a, b}, std::pair{b, a}}) {
+      if (length(foot - end) < kNeedle * height)
+        return end + std::min(height / whole, 0.5) * (other - end);
+    }
+    return foot;
+  }
+
   /// Where to cut a piece of a segment that is `whole` long; nothing if pieces would be too short,
   /// or what lies beside them too thin for rounded points.
   [[nodiscard]] std::optional<Point> place_on(const Segment& piece, const SegmentWish& wish,
@@ -228,7 +241,7 @@ class Splitter {
       return has_room_on_segment(a, b, midpoint(a, b), wish.apexes) ? std::optional(midpoint(a, b))
                                                                     : std::nullopt;
     }
-    const Point foot = foot_on(a, b, wish.apex);
+    const Point foot = place_for(a, b, wish.apex);
     const double shorter = std::min(length(foot - a), length(foot - b));
     if (shorter <= kLeastBesideFoot * whole || !has_room_on_segment(a, b, foot, wish.apexes))
       return std::nullopt;

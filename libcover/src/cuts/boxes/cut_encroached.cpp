@@ -17,6 +17,7 @@
 #include "box/encroached_sides.hpp"
 #include "box/least_cuts.hpp"
 #include "box/obstacles.hpp"
+#include "cuts/before_meshing/least_pieces.hpp"
 #include "cuts/before_meshing/onto_arcs.hpp"
 #include "cuts/cut_segments.hpp"
 #include "cuts/periodic/mirror_cuts.hpp"
@@ -386,6 +387,18 @@ class Cutter {
     return best;
   }
 
+  /// Whether a cut at part `t` of a segment is so near to its end that an obstacle at `height` sees
+  /// the two as a needle.
+  static bool leaves_a_needle(double t, double height) {
+    return std::min(t, 1 - t) < kNeedle * height;
+  }
+
+  /// Whether an obstacle sees its segment from so flat an angle that its own segment, seen from a
+  /// foot rounded by a unit in the last place, would be cut hardly beside it.
+  static bool is_flat(const Obstacle& o) {
+    return o.height < 2 * kNeedle * std::max(o.along, 1 - o.along);
+  }
+
   /// Places that may be good, the best first.
   [[nodiscard]] std::vector<Place> places_between(const Encroached& e, double low,
                                                   double high) const {
@@ -399,11 +412,20 @@ class Cutter {
     std::vector<std::pair<double, Place>> feet;  // with their heights
     for (const Obstacle& o : e.obstacles) {
       for (const double t : {length(o.at - a) / e.length, 1 - length(o.at - b) / e.length}) {
-        if (is_between(t)) shells.push_back(place_at(t));
+        if (is_between(t) && !leaves_a_needle(t, o.height)) shells.push_back(place_at(t));
       }
-      const Place foot{o.along, foot_on(a, b, o.at)};
+      if (leaves_a_needle(o.along, o.height)) {
+        const double t = o.along < 0.5 ? o.height : 1 - o.height;
+        if (is_between(t)) {
+          feet.emplace_back(o.height, place_at(t));
+          continue;
+        }
+      }
+      const Point rounded = foot_on(a, b, o.at);
+      const std::optional<Point> exact = exact_foot(a, b, o.at);
+      const Place foot{o.along, exact && is_flat(o) ? *exact : rounded};
       // An exact foot is right with the interval for it rounded away, as it is in thin layers.
-      const double slack = exact_foot(a, b, o.at) == foot.at ? kFootRounding : -margin;
+      const double slack = exact == rounded ? kFootRounding : -margin;
       if (foot.along > low - slack && foot.along < high + slack) feet.emplace_back(o.height, foot);
     }
     std::sort(feet.begin(), feet.end(), [](const auto& x, const auto& y) {

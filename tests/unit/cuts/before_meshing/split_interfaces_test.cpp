@@ -53,6 +53,24 @@ TEST(SplitInterfaces, CutsUntilNothingForcesALargerAngle) {
   EXPECT_EQ(notes[0].where.size(), regions.pslg.points.size() - before);
 }
 
+TEST(SplitInterfaces, AFootBesideACornerIsMovedAwayFromIt) {
+  Regions regions = regions_of(pinch_out());
+  Options options;
+  options.split_interfaces = Angle::degrees(90);
+  std::vector<Note> notes;
+  const std::vector<Point> given = regions.pslg.points;
+  ASSERT_TRUE(split_interfaces(regions.pslg, regions.table, options, notes));
+  EXPECT_LE(worst_gamma(regions), 90 + 1e-6);
+  EXPECT_GT(regions.pslg.points.size(), given.size());
+  // The walls are 0.4 apart there; at the foot it was 0.0028.
+  double least = 1;
+  for (std::size_t v = given.size(); v < regions.pslg.points.size(); ++v) {
+    for (std::size_t u = 0; u < v; ++u)
+      least = std::min(least, length(regions.pslg.points[v] - regions.pslg.points[u]));
+  }
+  EXPECT_GT(least, 0.3);
+}
+
 TEST(SplitInterfaces, HalvesTheSegmentsGivenAndThenForcesNothing) {
   Regions regions = regions_of(two_rectangles());
   const std::size_t uncut = regions.pslg.points.size();
@@ -244,7 +262,7 @@ TEST(SplitInterfaces, ManyFeetStayOnTheirSegment) {
   options.split_interfaces = Angle::degrees(89.99);
   std::vector<Note> notes;
   ASSERT_TRUE(split_interfaces(regions.pslg, regions.table, options, notes));
-  ASSERT_GT(regions.pslg.points.size(), 50U) << "no long row of feet: take another triangle";
+  ASSERT_GT(regions.pslg.points.size(), 30U) << "no long row of feet: take another triangle";
   for (const Point& p : regions.pslg.points) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < 3; ++k) {
