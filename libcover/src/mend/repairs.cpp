@@ -137,7 +137,26 @@ bool Repairs::with_fewer_vertices(std::uint32_t t, const MostBad& most) {
   return false;
 }
 
+/// Whether one of the triangles nearest to `t`, as far as pieces that stay whole let it be reached,
+/// has a vertex that can be put elsewhere.
+bool Repairs::is_near_a_movable(std::uint32_t t) const {
+  std::vector<std::uint32_t> seen{t};
+  for (std::size_t head = 0; head < seen.size() && seen.size() < effort::mend::kMostSeen; ++head) {
+    const MeshWithUndo::Triangle& triangle = mesh_.triangles()[seen[head]];
+    for (const Corner i : kCorners) {
+      if (mesh_.is_movable(triangle.v[i])) return true;
+      const bool is_wall =
+          triangle.line[i] != ConformingMesh::kInside && triangle.line[i] >= mesh_.lines().size();
+      const std::uint32_t n = triangle.n[i];
+      if (n != kNone && !is_wall && std::find(seen.begin(), seen.end(), n) == seen.end())
+        seen.push_back(n);
+    }
+  }
+  return false;
+}
+
 bool Repairs::with_other_vertices(std::uint32_t t, const MostBad& most, std::uint64_t places) {
+  if (!is_near_a_movable(t)) return false;  // more vertices alone are with_more_vertices()
   const std::array<std::uint32_t, 3> corners = mesh_.triangles()[t].v;
   const std::uint64_t end = left_.count - std::min(left_.count, places);
   while (left_.count > end && !left_.is_over()) {

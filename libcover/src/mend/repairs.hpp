@@ -68,7 +68,8 @@ class Repairs {
   bool with_more_vertices(std::uint32_t t, const MostBad& most, std::size_t tries);
   /// Without vertices around `t`, the one that helps most each time.
   bool with_fewer_vertices(std::uint32_t t, const MostBad& most);
-  /// With others in place of some vertices near `t`, again and again, for so many places.
+  /// With others in place of some vertices near `t`, again and again, for so many places; false at
+  /// once where none near it can be put elsewhere, as between two arcs.
   bool with_other_vertices(std::uint32_t t, const MostBad& most, std::uint64_t places);
   /// With pieces cut at the feet of the blunt corners opposite to them, then of what that makes
   /// blunt, and so on: through thin layers, wall by wall, to where there is room.
@@ -85,6 +86,7 @@ class Repairs {
  private:
   [[nodiscard]] bool is_fine(const MostBad& most) const;
   [[nodiscard]] std::optional<Corner> corner_over_a_piece(std::uint32_t t) const;
+  [[nodiscard]] bool is_near_a_movable(std::uint32_t t) const;
   [[nodiscard]] std::vector<std::uint32_t> neighbours(std::uint32_t v) const;
   void begin_at(std::uint32_t t);
   bool take(std::uint32_t v);

@@ -102,6 +102,19 @@ TEST(Repairs, WithoutPlacesNothingIsMendedAndNothingChanges) {
   expect_same(mesh.result(flat), flat);
 }
 
+TEST(Repairs, NoPlaceIsTriedForOthersWhereNoVertexNearCanBePutElsewhere) {
+  ConformingMesh before = testing::hexagon_around({1.5, 0});
+  before.line[6] = ConformingMesh::kFixed;
+  MeshWithUndo mesh(before, {{0}});
+  ASSERT_GT(mesh.bad(), 0U);
+  const auto bad = std::find_if(mesh.triangles().begin(), mesh.triangles().end(),
+                                [](const MeshWithUndo::Triangle& t) { return t.cost > 0; });
+  Repairs repairs(mesh, {kPlacesForAll});
+  const auto t = static_cast<std::uint32_t>(bad - mesh.triangles().begin());
+  EXPECT_FALSE(repairs.with_other_vertices(t, none_bad(), kPlacesForAll));
+  EXPECT_EQ(repairs.left().count, kPlacesForAll);
+}
+
 TEST(Repairs, FewerVerticesMendWhatOneOfThemMakesBad) {
   // A right-angled triangle with a vertex next to its longest side, which sees that side flat.
   ConformingMesh before;
