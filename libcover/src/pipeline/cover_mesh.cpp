@@ -20,6 +20,7 @@
 #include "cuts/before_meshing/onto_arcs.hpp"
 #include "cuts/boxes/cut_until_coupled.hpp"
 #include "cuts/cut_segments.hpp"
+#include "cuts/needles/warn_of_needles.hpp"
 #include "layers/layer_rules.hpp"
 #include "mesh/periodic_nodes.hpp"
 #include "mesh/stitch.hpp"
@@ -55,7 +56,9 @@ Status look_at_cuts(Work& work, const Options& /*options*/, const Callbacks& /*c
         return Error{ErrorCode::meshing_incomplete, pairs.error().message, pairs.error().where,
                      pairs.error().inputs};
     }
-    return check_cuts(work.pslg, work.table, work.report.input_points);
+    Status sound = check_cuts(work.pslg, work.table, work.report.input_points);
+    if (sound) warn_of_needles(work, work.report.notes);
+    return sound;
   });
   if (apart) warn_of_straight_arcs(work.pslg, work.report.notes);
   return apart;
