@@ -129,6 +129,28 @@ class Check(Case):
         out, _ = self.run_cover('check', SAMPLES / 'coax.poly', 's.vtu', code=6)
         self.assertNotIn('--allow-split', out)
 
+    def test_targets_of_the_run(self):
+        plate = SAMPLES / 'plate.poly'
+        own = 'Regions beside targets of 95 and 15 degrees, those of the run that made it, and beside proven limits: '
+        usual = 'Regions beside targets of 100 and 20 degrees, and beside proven limits: '
+        angles = ('--max-angle', '95', '--min-angle', '15')
+        self.run_cover('mesh', plate, *angles, '-o', 'm.vtm', '-o', 'm.vtkhdf', '-o', 'm.msh', '-o', 'm.vtu', '-q')
+        for name in ('m.vtm', 'm.vtkhdf'):
+            self.assertIn(own, self.run_cover('check', plate, name)[0])
+        for name in ('m.msh', 'm.vtu'):
+            self.assertIn(usual, self.run_cover('check', plate, name)[0])
+        self.run_cover('mesh', plate, *angles, '-o', 'm.json', '-q')
+        for name in ('m.msh', 'm.vtu'):
+            self.assertIn(own, self.run_cover('check', plate, name)[0])
+        self.assertIn(own, self.run_cover('check', plate, 'm.vtu', '--stream', 'on')[0])
+        # Those of the command line count before them, and those of another mesh do not.
+        out, _ = self.run_cover('check', plate, 'm.msh', '--max-angle', '120')
+        self.assertIn('Regions beside targets of 120 and 20 degrees, and beside', out)
+        self.run_cover('mesh', plate, '--method', 'almond', '-o', 'm.vtu', '-q')
+        self.assertIn(usual, self.run_cover('check', plate, 'm.vtu')[0])
+        self.run_cover('mesh', plate, '--method', 'almond', '-o', 'a.vtm', '-q')
+        self.assertIn(usual, self.run_cover('check', plate, 'a.vtm')[0])
+
     def test_cuts_of_split_interfaces(self):
         plate = SAMPLES / 'plate.poly'
         out, _ = self.run_cover('mesh', plate, '-o', 's.msh', '-o', 's.json', '--report', 's.html', '--split-interfaces')
@@ -283,6 +305,20 @@ class Info(Case):
         self.assertIn('--weld', out.splitlines()[0])
         out, _ = self.run_cover('check', 'a.poly', 'a.vtu', '--weld', '1e-3')
         self.assertTrue(out.startswith('Every promise holds'), out)
+
+    def test_options_that_read_another_geometry(self):
+        grains = SAMPLES / 'grains.png'
+        words = ('--speckle', '5', '--no-smooth', '--method', 'almond')
+        self.run_cover('mesh', grains, *words, '-o', 'g.vtu', '-q')
+        first = self.run_cover('check', grains, 'g.vtu', code=6)[0].splitlines()[0]
+        self.assertTrue(first.endswith('repeat its --weld, --overlap, --scale, --speckle, --no-smooth or --legend here'), first)
+        # A run that tells how it read is quoted, without what was given again.
+        self.run_cover('mesh', grains, *words, '-o', 'g.json', '-q')
+        first = self.run_cover('check', grains, 'g.vtu', code=6)[0].splitlines()[0]
+        self.assertTrue(first.endswith(' The run that made it had other options: repeat --speckle 5 --no-smooth here'), first)
+        first = self.run_cover('check', grains, 'g.vtu', '--speckle', '5', code=6)[0].splitlines()[0]
+        self.assertTrue(first.endswith(': repeat --no-smooth here'), first)
+        self.assertIn('Every promise holds', self.run_cover('check', grains, 'g.vtu', '--speckle', '5', '--no-smooth')[0])
 
 
 if __name__ == '__main__':

@@ -341,8 +341,8 @@ void LibraryOptions::add(CLI::App& command, OptionGroup group) {
   }
 }
 
-void LibraryOptions::add_threads(CLI::App& command) {
-  const OptionEntry* const entry = find_option("threads");
+void LibraryOptions::add_one(CLI::App& command, std::string_view name) {
+  const OptionEntry* const entry = find_option(name);
   written_.push_back({entry, default_text(*entry), nullptr, {}, false});
   written_.back().add_to(command, "Options");
 }

@@ -4,6 +4,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/core.h>
@@ -71,7 +72,10 @@ class LibraryOptions {
   /// Adds all options of a group.
   void add(CLI::App& command, OptionGroup group);
   /// Adds the number of threads.
-  void add_threads(CLI::App& command);
+  void add_threads(CLI::App& command) { add_one(command, "threads"); }
+  /// Adds one option.
+  /// REQUIRES: option_table() has it
+  void add_one(CLI::App& command, std::string_view name);
 
   /// Everything but the background sizes.
   ///

@@ -1,6 +1,7 @@
 #include "files/input_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -192,6 +193,20 @@ std::vector<std::string> GeometryFile::ignored() const {
     sentences.push_back(does_nothing(*written.entry));
   }
   return sentences;
+}
+
+std::vector<std::string> GeometryFile::other_readings() const {
+  constexpr std::array kOfNames{"material-field", "name-field", "keep-field"};
+  std::vector<std::string> names;
+  for (const auto& written : written_) {
+    const ReadOptionEntry& entry = *written.entry;
+    const bool counts =
+        entry.name == "scale" || (entry.counts != nullptr && entry.counts(options_));
+    if (counts && written.option->count() == 0 &&
+        std::find(kOfNames.begin(), kOfNames.end(), entry.name) == kOfNames.end())
+      names.push_back(fmt::format("--{}", entry.name));
+  }
+  return names;
 }
 
 std::vector<Provenance::Setting> GeometryFile::settings() const {

@@ -48,6 +48,9 @@ class GeometryFile {
   /// Options that were given but do nothing, a sentence each.
   /// REQUIRES: read() was called
   [[nodiscard]] std::vector<std::string> ignored() const;
+  /// Options of reading that were not given, and may make another geometry of such files.
+  /// REQUIRES: read() was called
+  [[nodiscard]] std::vector<std::string> other_readings() const;
   /// Options of reading that the mesh can be traced to.
   /// REQUIRES: read() was called
   [[nodiscard]] std::vector<Provenance::Setting> settings() const;

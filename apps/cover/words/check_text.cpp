@@ -30,6 +30,12 @@ std::string and_more(std::size_t count, std::size_t shown) {
   return count > shown ? fmt::format("... and {} more\n", grouped(count - shown)) : "";
 }
 
+/// "--weld, --overlap or --scale".
+std::string any_of(std::span<const std::string> options) {
+  if (options.size() < 2) return listed(options);
+  return fmt::format("{} or {}", listed(options.first(options.size() - 1)), options.back());
+}
+
 std::string obtuse_triangles(const Verification& found) {
   std::string text = fmt::format("{} obtuse triangles", grouped(found.obtuse));
   if (found.obtuse_by_rounding > 0)
@@ -51,7 +57,8 @@ std::string violations_text(const Verification& found) {
   return text + and_more(found.violation_count, found.violations.size());
 }
 
-std::string sound_text(const Verification& found, std::size_t triangles, bool is_all_met) {
+std::string sound_text(const Verification& found, std::size_t triangles, bool is_all_met,
+                       const AngleTargets& targets) {
   std::string text = fmt::format("{}: {}, {}, {} whole",
                                  !is_all_met               ? "All else that was checked holds"
                                  : found.unchecked.empty() ? "Every promise holds"
@@ -65,11 +72,11 @@ std::string sound_text(const Verification& found, std::size_t triangles, bool is
   text += "\n";
   LimitCounts limits;
   for (const RegionLimits& region : found.limits) limits.add(region);
-  const VerifyOptions usual;  // what the mesh was made for may be more or less
   if (const std::string counts = limits_text(limits); !counts.empty())
     text += fmt::format(
-        "Regions beside targets of {:.6g} and {:.6g} degrees, and beside proven limits: {}\n",
-        usual.max_angle.in_degrees(), usual.min_angle.in_degrees(), counts);
+        "Regions beside targets of {:.6g} and {:.6g} degrees{}, and beside proven limits: {}\n",
+        targets.largest.in_degrees(), targets.smallest.in_degrees(),
+        targets.are_of_run ? ", those of the run that made it" : "", counts);
   for (const std::string& what : found.unchecked)
     text += fmt::format("Not checked: {}\n", printable(what));
   return text;
@@ -129,12 +136,17 @@ std::string rounded_text(const RoundedPoints& rounded) {
       rounded.first.y, rounded.as_there.x, rounded.as_there.y);
 }
 
-std::string missing_text(std::size_t points) {
+std::string missing_text(std::size_t points, std::span<const std::string> of_run,
+                         std::span<const std::string> possible) {
   if (points == 0) return {};
-  return fmt::format(
-      "{} of the input missing in the mesh. If the run that made it moved them, repeat its --weld, "
-      "--overlap, --scale or --crs here\n",
-      counted(points, "point"));
+  const std::string begin =
+      fmt::format("{} of the input missing in the mesh. ", counted(points, "point"));
+  if (!of_run.empty())
+    return begin + fmt::format("The run that made it had other options: repeat {} here\n",
+                               listed(of_run, " "));
+  return begin +
+         fmt::format("If the run that made it moved them, or read other ones, repeat its {} here\n",
+                     any_of(possible));
 }
 
 std::string other_ids_text(std::size_t triangles) {

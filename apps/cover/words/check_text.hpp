@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 
+#include <cover/angle.hpp>
 #include <cover/options.hpp>
 #include <cover/result.hpp>
 #include <cover/verify.hpp>
@@ -19,9 +21,17 @@ namespace cover::app {
 
 /// The broken promises, a line each and lines with the places.
 std::string violations_text(const Verification& found);
+/// The angles beside which a mesh is put.
+struct AngleTargets {
+  Angle largest = VerifyOptions().max_angle;
+  Angle smallest = VerifyOptions().min_angle;
+  bool are_of_run =
+      false;  ///< the run that made the mesh had them, and they are not the usual ones
+};
 /// Of a mesh of so many triangles that breaks no promise: what was checked, and what was not.
 /// `is_all_met`: nothing else that was asked for has failed.
-std::string sound_text(const Verification& found, std::size_t triangles, bool is_all_met);
+std::string sound_text(const Verification& found, std::size_t triangles, bool is_all_met,
+                       const AngleTargets& targets = {});
 
 /// Named lines that are not as in the input.
 std::string wrong_lines_text(const NamedLines& lines);
@@ -32,8 +42,10 @@ std::string unchecked_lines_text(const NamedLines& lines);
 std::string cuts_text(const OwnCuts& cuts);
 /// Points of the input that the mesh's format has rounded.
 std::string rounded_text(const RoundedPoints& rounded);
-/// So many points of the input are no vertices: which options may have moved them.
-std::string missing_text(std::size_t points);
+/// So many points of the input are no vertices: which options the run that made the mesh had
+/// (`of_run`, if that is known) or may have had, that are not those of the check.
+std::string missing_text(std::size_t points, std::span<const std::string> of_run,
+                         std::span<const std::string> possible);
 /// So many sides have a triangle of the void beside them: which option allows that.
 std::string in_void_text(std::size_t triangles);
 /// So many triangles have the RegionId of another region: which option may have joined regions.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 namespace cover::app {
 namespace {
@@ -52,14 +53,34 @@ TEST(CheckText, CutsTellWhoMadeThemOrHowToAllowThem) {
 }
 
 TEST(CheckText, NothingMissingIsNotWorthAWord) {
-  EXPECT_EQ(missing_text(0), "");
+  EXPECT_EQ(missing_text(0, {}, {}), "");
   EXPECT_EQ(in_void_text(0), "");
   EXPECT_EQ(other_ids_text(0), "");
-  EXPECT_EQ(missing_text(2).find("2 points of the input missing in the mesh. "), 0u);
   EXPECT_EQ(in_void_text(1).find("1 triangle lies along "), 0u);
   EXPECT_EQ(in_void_text(2).find("2 triangles lie along "), 0u);
   EXPECT_EQ(other_ids_text(1).find("1 triangle has another RegionId "), 0u);
   EXPECT_EQ(other_ids_text(2000).find("2,000 triangles have another RegionId "), 0u);
+}
+
+TEST(CheckText, MissingPointsNameOptions) {
+  const std::vector<std::string> possible{"--weld", "--speckle", "--no-smooth"};
+  EXPECT_EQ(missing_text(2, {}, possible),
+            "2 points of the input missing in the mesh. If the run that made it moved them, or "
+            "read other ones, repeat its --weld, --speckle or --no-smooth here\n");
+  const std::vector<std::string> of_run{"--speckle 9", "--no-smooth"};
+  EXPECT_EQ(missing_text(1, of_run, possible),
+            "1 point of the input missing in the mesh. The run that made it had other options: "
+            "repeat --speckle 9 --no-smooth here\n");
+}
+
+TEST(CheckText, TargetsAreThoseOfTheRun) {
+  Verification found;
+  found.limits.resize(1);
+  EXPECT_NE(sound_text(found, 1, true).find("beside targets of 100 and 20 degrees, and beside"),
+            std::string::npos);
+  EXPECT_NE(sound_text(found, 1, true, {Angle::degrees(90), Angle::degrees(20), true})
+                .find("targets of 90 and 20 degrees, those of the run that made it, and beside"),
+            std::string::npos);
 }
 
 TEST(CheckText, OfManyCouplingsTheFirstAreListed) {

@@ -1,6 +1,5 @@
 // cover check: the promises on any mesh, from the files alone.
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -22,14 +21,16 @@
 #include <cover/periodic.hpp>
 #include <cover/pslg.hpp>
 #include <cover/read_mesh.hpp>
+#include <cover/read_option_table.hpp>
+#include <cover/read_origin.hpp>
 #include <cover/regions.hpp>
 #include <cover/result.hpp>
 #include <cover/text.hpp>
 #include <cover/verify.hpp>
 #include <cover/verify_curved.hpp>
-#include <cover/verify_layers.hpp>
 
 #include "commands/check/cut_input.hpp"
+#include "commands/check/layer_rows.hpp"
 #include "commands/check/named_groups.hpp"
 #include "commands/check/named_lines.hpp"
 #include "commands/check/rounded_points.hpp"
@@ -91,6 +92,8 @@ struct CheckCommand {
         ->type_name("WHEN")
         ->capture_default_str();
     library.add(app, OptionGroup::cleaning);
+    library.add_one(app, "max-angle");
+    library.add_one(app, "min-angle");
     library.add_threads(app);
     add_verbosity(app, verbosity);
   }
@@ -110,8 +113,22 @@ struct CheckCommand {
     if (!options) return options;
     options->hull = verify.hull;
     verify.threads = options->threads;
+    take_usual_targets(*options);
     verify.bound = !no_bound;
     return options;
+  }
+
+  /// The targets of the command line, else the defaults.
+  void take_usual_targets(const Options& options) {
+    verify.max_angle = options.max_angle;
+    verify.min_angle = options.min_angle;
+    are_targets_of_run = false;
+  }
+
+  /// Whether an option stands on the command line.
+  [[nodiscard]] bool has(const std::string& name) const {
+    const CLI::Option* option = app.get_option_no_throw("--" + name);
+    return option != nullptr && option->count() > 0;
   }
 
   [[nodiscard]] std::vector<NamedFile> read_files() const {
@@ -129,6 +146,7 @@ struct CheckCommand {
   std::vector<std::string> layers;
   std::string stream = "auto";
   Verbosity verbosity;
+  bool are_targets_of_run = false;  ///< those of `verify`
 };
 
 /// What a mesh is checked against.
@@ -164,9 +182,12 @@ int print_lines(const NamedLines& lines) {
 }
 
 /// What holds, and what was not looked at: the last words of a check that ends with `code`.
-void print_summary(const Verification& found, std::size_t triangles, const NamedLines& lines,
-                   int code) {
-  if (found.violations.empty()) fmt::print("{}", sound_text(found, triangles, code == exit_ok));
+void print_summary(const CheckCommand& command, const Verification& found, std::size_t triangles,
+                   const NamedLines& lines, int code) {
+  const AngleTargets targets{command.verify.max_angle, command.verify.min_angle,
+                             command.are_targets_of_run};
+  if (found.violations.empty())
+    fmt::print("{}", sound_text(found, triangles, code == exit_ok, targets));
   fmt::print("{}", unchecked_lines_text(lines));
 }
 
@@ -193,7 +214,7 @@ std::optional<int> check_parts(const CheckCommand& command, const MeshSource& so
   if (const auto parts = check_in_parts(subject.prepared, source.file(), command.verify, options)) {
     const int code = print_promises(parts->found);
     if (!command.verbosity.quiet)
-      print_summary(parts->found, parts->triangles,
+      print_summary(command, parts->found, parts->triangles,
                     lines_not_checked(subject.prepared.pslg, subject.prepared.table), code);
     return code;
   }
@@ -240,13 +261,45 @@ std::size_t missing_points(const Pslg& pslg, const TriangleSoup& mesh) {
                     [&](Point p) { return !std::binary_search(there.begin(), there.end(), p); }));
 }
 
+/// The options of the run that made the mesh which say how the input is understood, but those that
+/// this command has too.
+std::vector<std::string> options_to_repeat(const CheckCommand& command, const MeshOrigin& origin) {
+  std::vector<std::string> options;
+  if (origin.scale != 1 && !command.has("scale"))
+    options.push_back(fmt::format("--scale {}", describe(origin.scale)));
+  for (const auto& [name, value] : origin.provenance.settings) {
+    const OptionEntry* const cleaning = find_option(name);
+    const ReadOptionEntry* const reading = find_read_option(name);
+    const bool is_of_input =
+        reading != nullptr || (cleaning != nullptr && cleaning->group == OptionGroup::cleaning);
+    if (!is_of_input || command.has(name)) continue;
+    const bool is_flag = (reading != nullptr ? reading->kind : cleaning->kind) == OptionKind::flag;
+    options.push_back(is_flag ? fmt::format("--{}", name) : fmt::format("--{} {}", name, value));
+  }
+  return options;
+}
+
+/// The options that can make other points of the input, but those that were given.
+std::vector<std::string> options_that_move(const CheckCommand& command) {
+  std::vector<std::string> options;
+  for (const char* const name : {"weld", "overlap"})
+    if (!command.has(name)) options.push_back(fmt::format("--{}", name));
+  for (std::string& option : command.input.other_readings()) options.push_back(std::move(option));
+  return options;
+}
+
 /// Which options may be missing, where promises are broken by what they would allow.
-void print_hints(const Verification& found, const Pslg& pslg, const TriangleSoup& mesh, bool hull) {
+void print_hints(const CheckCommand& command, const std::optional<MeshOrigin>& origin,
+                 const Verification& found, const Pslg& pslg, const TriangleSoup& mesh) {
   // Missing points make everything else fail.
   const std::size_t missing = found.violations.empty() ? 0 : missing_points(pslg, mesh);
-  fmt::print("{}", missing_text(missing));
-  if (missing > 0) return;
-  if (!hull) fmt::print("{}", in_void_text(found.in_void));
+  if (missing > 0) {
+    const std::vector<std::string> of_run =
+        origin ? options_to_repeat(command, *origin) : std::vector<std::string>();
+    fmt::print("{}", missing_text(missing, of_run, options_that_move(command)));
+    return;
+  }
+  if (!command.verify.hull) fmt::print("{}", in_void_text(found.in_void));
   fmt::print("{}", other_ids_text(found.other_ids));
 }
 
@@ -271,80 +324,6 @@ int print_periodic(const CutInput& cut, const std::vector<PeriodicRule>& rules, 
   return code;
 }
 
-/// What `text` asks of layers: a line, and what they should be like where it has numbers.
-struct LayersAsked {
-  LayerRule rule;
-  bool has_numbers = false;
-  std::size_t number = 0;  ///< among all rules, if it has numbers
-};
-
-/// LINE[@REGION][=first,growth[,count]], as the option of mesh takes it.
-Result<LayersAsked> layers_asked(const std::string& text) {
-  const OptionEntry& entry = *find_option("layers");
-  Options options;
-  Status status = entry.set(entry, text, options);
-  if (status) return LayersAsked{options.layers.front(), true};
-  // Without numbers a line is all that there is; any will do to read it.
-  if (entry.set(entry, text + "=1,1,1", options)) return LayersAsked{options.layers.front(), false};
-  return std::move(status).error();
-}
-
-/// All that --layers asks, and the rules that count.
-struct LayerWishes {
-  std::vector<LayersAsked> asked;
-  std::vector<LayerRule> rules;  ///< of those for one side of a line the last counts
-};
-
-/// What `lines` ask, after `known`, the rules of the input.
-Result<LayerWishes> layer_wishes(const std::vector<std::string>& lines,
-                                 const std::vector<LayerRule>& known) {
-  LayerWishes wishes{{}, known};
-  for (const std::string& line : lines) {
-    Result<LayersAsked> asked = layers_asked(line);
-    if (!asked) return std::move(asked).error();
-    asked->number = wishes.rules.size();
-    if (asked->has_numbers) wishes.rules.push_back(asked->rule);
-    wishes.asked.push_back(*std::move(asked));
-  }
-  return wishes;
-}
-
-/// Whether the rows are those of the rule.
-bool are_as_asked(const LayersFound& layers, const LayerRule& rule) {
-  constexpr double kSame = 1e-3;  // of a layer's thickness: so much alike are cells of one row
-  const auto is_first = [&](double thickness) {
-    return std::abs(thickness - rule.first) <= kSame * rule.first;
-  };
-  return layers.layered > 0 && is_first(layers.first_least) && is_first(layers.first_most) &&
-         layers.most >= rule.count;
-}
-
-/// Tells which rows lie along lines; fails where numbers are asked for that they do not have.
-/// `known` are the rules of the input.
-Result<int> print_layers(const CutInput& cut, const std::vector<std::string>& lines,
-                         const std::vector<LayerRule>& known, const TriangleSoup& mesh,
-                         bool quiet) {
-  const Result<LayerWishes> wishes = layer_wishes(lines, known);
-  if (!wishes) return wishes.error();
-  const std::vector<LayerRule>& rules = wishes->rules;
-  int code = exit_ok;
-  for (const LayersAsked& asked : wishes->asked) {
-    const LayerRule& rule = asked.rule;
-    Result<std::vector<LayersFound>> found =
-        verify_layers(cut.pslg, cut.table, mesh, rule.line, rule.region, rules);
-    if (!found) return std::move(found).error();
-    for (const LayersFound& layers : *found) {
-      const Region& region = cut.table.region(layers.region);
-      const LayerRule* counts = layer_rule_for(region, rule.line, rules);
-      if (asked.has_numbers && counts != &rules[asked.number]) continue;
-      const bool is_met = !asked.has_numbers || are_as_asked(layers, rule);
-      if (!is_met) code = exit_unmet;
-      if (!is_met || !quiet) fmt::print("{}", layers_text(layers, rule.line, region.name, is_met));
-    }
-  }
-  return code;
-}
-
 /// The negative couplings of a mesh that has cut segments or not.
 int print_couplings(const CutInput& cut, const TriangleSoup& mesh, VerifyOptions verify,
                     bool quiet) {
@@ -356,8 +335,8 @@ int print_couplings(const CutInput& cut, const TriangleSoup& mesh, VerifyOptions
 }
 
 /// Checks the promises, and what else is asked for.
-int check_whole(const CheckCommand& command, const std::string& mesh_path, Subject& subject,
-                MeshTriangles& mesh) {
+int check_whole(const CheckCommand& command, const std::string& mesh_path,
+                const std::optional<MeshOrigin>& origin, Subject& subject, MeshTriangles& mesh) {
   const bool quiet = command.verbosity.quiet;
   Prepared& prepared = subject.prepared;
   const RoundedPoints rounded = restore_digits(mesh_path, prepared.pslg, mesh.soup);
@@ -369,7 +348,7 @@ int check_whole(const CheckCommand& command, const std::string& mesh_path, Subje
   heed_groups(mesh_path, prepared, mesh.soup, verify, found);
   const auto cuts = take_own_cuts(mesh_path, mesh, verify, prepared, found);
   if (cuts && (!quiet || !cuts->are_meant)) fmt::print("{}", cuts_text(*cuts));
-  print_hints(found, prepared.pslg, mesh.soup, verify.hull);
+  print_hints(command, origin, found, prepared.pslg, mesh.soup);
   int code = print_promises(found);
   if (rounded.count > 0) code = exit_unmet;
 
@@ -386,8 +365,35 @@ int check_whole(const CheckCommand& command, const std::string& mesh_path, Subje
   code = first_failure(code, *rows);
   if (command.box_method)
     code = first_failure(code, print_couplings(cut, mesh.soup, verify, quiet));
-  if (!quiet) print_summary(found, mesh.soup.triangles.size(), lines, code);
+  if (!quiet) print_summary(command, found, mesh.soup.triangles.size(), lines, code);
   return code;
+}
+
+/// Whether the origin can be that of a mesh of so many triangles.
+bool is_of(const MeshOrigin& origin, std::size_t triangles) {
+  return origin.triangles == 0 || origin.triangles == triangles;
+}
+
+/// The run that made the mesh. What of it a .vtkhdf alone tells is left, where that is looked at in
+/// parts: it would be read as a whole.
+std::optional<MeshOrigin> origin_of(const CheckCommand& command, const std::string& path) {
+  if (extension_of(path) == ".vtkhdf" && is_to_stream(command.stream, path)) return std::nullopt;
+  return read_origin(path);
+}
+
+/// Puts the mesh beside the targets of its own run, where the command line has none.
+void take_targets(CheckCommand& command, const MeshOrigin& origin) {
+  if (command.has("max-angle") || command.has("min-angle")) return;
+  Options options;
+  for (const auto& [name, value] : origin.provenance.settings) {
+    if (name == "method" && value != "quality") return;  // the others have none
+    if (name != "max-angle" && name != "min-angle") continue;
+    const OptionEntry& entry = *find_option(name);
+    if (!entry.set(entry, value, options)) return;  // written by a program with other ranges
+    command.are_targets_of_run = true;
+  }
+  command.verify.max_angle = options.max_angle;
+  command.verify.min_angle = options.min_angle;
 }
 
 }  // namespace
@@ -408,10 +414,16 @@ int run_check(Arguments arguments) {
   if (!subject) return fail(*log, subject.error());
   const Result<MeshSource> source = MeshSource::open(command.mesh_path);
   if (!source) return fail(*log, source.error());
+  std::optional<MeshOrigin> origin = origin_of(command, source->file());
+  if (origin) take_targets(command, *origin);
   if (const auto code = check_parts(command, *source, *subject, *options, *log)) return *code;
   Result<MeshTriangles> mesh = read_whole(*source, *log);
   if (!mesh) return fail(*log, mesh.error());
-  return check_whole(command, source->file(), *subject, *mesh);
+  if (origin && !is_of(*origin, mesh->soup.triangles.size())) {
+    origin.reset();
+    command.take_usual_targets(*options);
+  }
+  return check_whole(command, source->file(), origin, *subject, *mesh);
 }
 
 }  // namespace cover::app

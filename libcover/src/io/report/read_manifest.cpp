@@ -6,14 +6,15 @@
 #include <filesystem>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include "base/numbers.hpp"
 #include "io/read_mesh/complete_mesh.hpp"
+#include "io/report/manifest_origin.hpp"
 #include "io/report/periodic_json.hpp"
-#include "io/report/provenance_json.hpp"
 #include "io/text/text.hpp"
 
 namespace cover {
@@ -91,11 +92,11 @@ Attribute attribute_of(const Json& json) {
 }
 
 /// What the mesh was made of and how.
-void read_origin(const Json& json, StoredMesh& stored) {
-  stored.provenance = {json.value("source", ""), json.value("cover", ""),
-                       options_of(json.value("options", Json::object()))};
+void take_origin(const Json& json, StoredMesh& stored) {
+  MeshOrigin origin = origin_of(json);
+  stored.provenance = std::move(origin.provenance);
   stored.unit = json.value("unit", "");
-  stored.scale = json.value("scale", 1.0);
+  stored.scale = origin.scale;
 }
 
 /// Why the manifest is not that of the mesh; empty if it is.
@@ -145,7 +146,7 @@ Result<bool> read_manifest(const std::string& path, std::span<const std::int64_t
   const Result<std::string> text = read_file(path);
   if (!text) return text.error();
   const Json json = Json::parse(*text, nullptr, false);
-  if (!json.is_object() || json.value("format", Json()) != "cover mesh manifest") return false;
+  if (!is_manifest(json)) return false;
   try {
     if (const std::string what = misfit(json, stored); !what.empty()) return wrong(what);
     stored.regions.clear();
@@ -155,7 +156,7 @@ Result<bool> read_manifest(const std::string& path, std::span<const std::int64_t
     stored.arcs.clear();
     stored.attributes.clear();
     stored.fields.clear();
-    read_origin(json, stored);
+    take_origin(json, stored);
     const Json& counts = json.at("counts");
     stored.input_vertices = counts.at("input_vertices");
     // Manifests of 0.2.0 do not tell.

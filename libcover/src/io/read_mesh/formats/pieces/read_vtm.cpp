@@ -344,6 +344,16 @@ Result<VtmMesh> read_vtm(const std::string& path) {
   return out;
 }
 
+Result<StoredMesh> read_vtm_origin(const std::string& path) {
+  const Result<std::string> text = read_file(path);
+  if (!text) return text.error();
+  const Result<XmlTree> tree = parse_xml(*text, path);
+  if (!tree) return tree.error();
+  StoredMesh stored;
+  if (const XmlElement* names = tree->root.child("CoverNames")) take_names(*names, stored);
+  return stored;
+}
+
 Result<MeshFile> read_vtm_mesh(const std::string& path) {
   Result<VtmMesh> blocks = read_vtm(path);
   if (!blocks) return std::move(blocks).error();

@@ -30,6 +30,9 @@ struct VtmMesh {
 ///         writes
 Result<VtmMesh> read_vtm(const std::string& path);
 
+/// How the mesh was made alone, without reading its pieces; empty in files of old versions.
+Result<StoredMesh> read_vtm_origin(const std::string& path);
+
 /// The same as read_mesh() has it, triangles in their order.
 Result<MeshFile> read_vtm_mesh(const std::string& path);
 
