@@ -285,6 +285,15 @@ class Info(Case):
         self.assertEqual(len(areas), 5)
         self.assertAlmostEqual(sum(areas), 6 * 5, places=3)
 
+    def test_cuts_that_cascade_are_not_counted(self):
+        """Thin layers around each other: cuts of one make the next one need cuts, a thousand times."""
+        circles = [{'circle': {'centre': [0, 0], 'radius': 1 + k / 100, 'chords': 16}} for k in range(1000)]
+        self.write('n.json', json.dumps({'segments': circles}))
+        out, _ = self.run_cover('info', 'n.json')
+        self.assertRegex(out, r'\n  no obtuse angle \(--split-interfaces\) +many cuts before meshing\n')
+        self.assertIn('\n  many: not counted, as cuts of one segment make the next ones need cuts, and so on\n', out)
+        self.assertNotIn('many', self.run_cover('info', SAMPLES / 'mosfet.poly')[0])
+
     def test_several_inputs(self):
         for name, x in (('a.json', 0), ('b.json', 1)):
             self.write(name, json.dumps({'polygons': [{'material': name[0], 'rings': [[[x, 0], [x + 1, 0], [x + 1, 1], [x, 1]]]}]}))

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -407,6 +408,9 @@ std::string info_text(const Prepared& prepared, bool every_region) {
 }
 
 std::string box_costs_text(const BoxCosts& costs, bool every_side) {
+  const auto counted = [](std::optional<std::size_t> cuts) {
+    return cuts ? grouped(*cuts) : std::string("many");
+  };
   std::string out = fmt::format(
       "\nBox method: {} of {} {} a vertex in the open diametral disk, which forces a negative "
       "coupling\n",
@@ -416,8 +420,10 @@ std::string box_costs_text(const BoxCosts& costs, bool every_side) {
       "  segments whole                        {:>7} negative couplings are forced\n"
       "  none negative (--box-method)          {:>7} cuts before meshing; proven to be needed: {}\n"
       "  no obtuse angle (--split-interfaces)  {:>7} cuts before meshing\n",
-      grouped(costs.encroached_sides), grouped(costs.cuts), grouped(costs.least_cuts),
-      grouped(costs.cuts_for_right_angles));
+      grouped(costs.encroached_sides), counted(costs.cuts), grouped(costs.least_cuts),
+      counted(costs.cuts_for_right_angles));
+  if (!costs.cuts || !costs.cuts_for_right_angles)
+    out += "  many: not counted, as cuts of one segment make the next ones need cuts, and so on\n";
   if (costs.uncut > 0)
     out += fmt::format("  {} cannot be cut often enough in double coordinates\n",
                        plural(costs.uncut, "segment"));

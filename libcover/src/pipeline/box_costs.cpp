@@ -28,20 +28,25 @@ Result<std::vector<std::vector<EncroachedSegment>>> encroached_in(
   return encroached;
 }
 
+/// Thin layers around each other have cuts of one cut the next, in as many passes as there are
+/// layers: such a cascade is not counted to its end.
+constexpr std::size_t kLooksPerPoint = 64;
+constexpr std::size_t kLooksAtLeast = 1'000'000;
+
 /// Cuts copies as --box-method does, and as --split-interfaces=90 does without sizes.
-Status try_cuts(Pslg pslg, RegionTable table, BoxCosts& costs) {
-  const std::size_t points = pslg.points.size();
-  Prepared cut{pslg, table, {}};
-  cut.report.input_points = points;
-  costs.uncut = cut_encroached(cut, VertexId{points}).size();
-  costs.cuts = cut.report.box_cuts.size();
+Status try_cuts(const Pslg& pslg, const RegionTable& table, BoxCosts& costs) {
+  const std::size_t looks = kLooksAtLeast + kLooksPerPoint * pslg.points.size();
+  if (const auto counted = count_box_cuts({pslg, table, {}}, looks)) {
+    costs.cuts = counted->cuts;
+    costs.uncut = counted->uncut;
+  }
   Options right;
   right.split_interfaces = Angle::degrees(90);
   right.input_sizes = false;  // what sizes cut is no price of right angles, and may be without end
-  std::vector<Note> notes;
-  Status split = split_interfaces(pslg, table, right, notes);
-  costs.cuts_for_right_angles = pslg.points.size() - points;
-  return split;
+  const auto counted = count_interface_cuts(pslg, table, right, looks);
+  if (!counted) return counted.error();
+  costs.cuts_for_right_angles = *counted;
+  return ok();
 }
 
 Result<BoxCosts> count_costs(const Prepared& prepared, const Options& options,

@@ -12,11 +12,12 @@
 
 #include <cover/text.hpp>
 
-#include "base/numbers.hpp"
 #include "cdt/cdt.hpp"
 #include "cuts/periodic/mirror_cuts.hpp"
+#include "geom/box.hpp"
 #include "geom/curves/arc.hpp"
 #include "geom/predicates.hpp"
+#include "geom/search/box_tree.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -40,15 +41,18 @@ class ArcMover {
     places_.insert(places_.end(), table.void_seeds.begin(), table.void_seeds.end());
     for (const RegionSeed& seed : pslg.seeds) places_.push_back(seed.at);
     for (const HoleSeed& hole : pslg.holes) places_.push_back(hole.at);
-    std::sort(places_.begin(), places_.end());
+    std::vector<Box> boxes(places_.size());
+    for (std::size_t k = 0; k < places_.size(); ++k) boxes[k].add(places_[k]);
+    near_ = BoxTree(boxes);
   }
 
-  std::vector<SegmentCut> move() {
+  std::vector<SegmentCut> move(LookBudget& looks) {
     std::vector<SegmentCut> moved = with_arcs();
     for (;;) {
       std::vector<SegmentId> bad = that_pass_places(moved);
       if (bad.empty()) bad = that_meet(moved);
-      if (bad.empty()) return moved;
+      looks.spend(pslg_.points.size());
+      if (bad.empty() || looks.is_spent()) return moved;
       for (const SegmentId s : classes_.with_classes(std::move(bad))) {
         stays_[s.index()] = 1;
         straighten(pslg_.segments[s.index()]);
@@ -97,16 +101,17 @@ class ArcMover {
     const Point a = at(s.a), b = at(s.b);
     std::vector<Point> way = cut.points;
     way.push_back(b);
-    double low = std::min(a.x, b.x), high = std::max(a.x, b.x);
-    for (const Point& p : way) low = std::min(low, p.x), high = std::max(high, p.x);
-    for (auto v = std::lower_bound(places_.begin(), places_.end(), Point{low, -kInfinity});
-         v != places_.end() && v->x <= high; ++v) {
-      if (*v == a || *v == b) continue;
-      for (std::size_t k = 0; k + 1 < way.size(); ++k) {
-        if (is_in(*v, a, way[k], way[k + 1])) return true;
-      }
-    }
-    return false;
+    Box around;
+    around.add(a);
+    for (const Point& p : way) around.add(p);
+    bool passes = false;
+    near_.visit(around, [&](std::uint32_t place) {
+      const Point v = places_[place];
+      if (v == a || v == b) return;
+      for (std::size_t k = 0; k + 1 < way.size() && !passes; ++k)
+        passes = is_in(v, a, way[k], way[k + 1]);
+    });
+    return passes;
   }
 
   /// Whether p lies in the triangle abc or on its sides, whichever way round it is.
@@ -170,17 +175,18 @@ class ArcMover {
   PeriodicClasses classes_;
   std::vector<SegmentCut> plain_;
   std::vector<std::uint8_t> stays_;  ///< by segment
-  std::vector<Point> places_;        ///< vertices and seeds, in order
+  std::vector<Point> places_;        ///< vertices and seeds
+  BoxTree near_;                     ///< of these
 };
 
 }  // namespace
 
 std::vector<SegmentCut> onto_arcs(Pslg& pslg, const RegionTable& table,
-                                  std::vector<SegmentCut> cuts) {
+                                  std::vector<SegmentCut> cuts, LookBudget& looks) {
   const bool any = std::any_of(cuts.begin(), cuts.end(),
                                [&](const SegmentCut& cut) { return is_chord(pslg, cut.segment); });
   if (!any) return cuts;
-  return ArcMover(pslg, table, std::move(cuts)).move();
+  return ArcMover(pslg, table, std::move(cuts)).move(looks);
 }
 
 void warn_of_straight_arcs(const Pslg& pslg, std::vector<Note>& notes) {

@@ -8,6 +8,7 @@
 #include <cover/report.hpp>
 
 #include "cuts/cut_segments.hpp"
+#include "cuts/look_budget.hpp"
 
 namespace cover {
 
@@ -19,9 +20,10 @@ namespace cover {
 /// ENSURES:  no vertex and no seed lies between a chord and what comes in its place, and pieces
 ///           of arcs meet other segments at points only, by exact predicates; but for those that
 ///           chords met before
-/// Cost:     O(n log n) where a chord is cut; else O(cuts)
+///           Nothing of this once `looks` are spent, which ends it.
+/// Cost:     O(n log n), for each time that points have to stay, where a chord is cut; else O(cuts)
 std::vector<SegmentCut> onto_arcs(Pslg& pslg, const RegionTable& table,
-                                  std::vector<SegmentCut> cuts);
+                                  std::vector<SegmentCut> cuts, LookBudget& looks);
 
 /// Warns of segments that are straight although they were chords, see straighten().
 void warn_of_straight_arcs(const Pslg& pslg, std::vector<Note>& notes);

@@ -28,6 +28,7 @@
 #include "cuts/before_meshing/onto_arcs.hpp"
 #include "cuts/before_meshing/segment_wishes.hpp"
 #include "cuts/cut_segments.hpp"
+#include "cuts/look_budget.hpp"
 #include "cuts/periodic/mirror_cuts.hpp"
 #include "cuts/room_on_segment.hpp"
 #include "cuts/whole_segments.hpp"
@@ -48,6 +49,8 @@ constexpr std::size_t kPlaces = 8;
 constexpr std::size_t kLooksPerPoint = 12;
 constexpr std::size_t kLooksAtLeast = 250'000;
 constexpr std::size_t kFarMoreStuck = 16;
+
+constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
 
 /// A segment, maybe one of many that a segment was cut into.
 struct Piece {
@@ -71,9 +74,11 @@ class Splitter {
     for (const Segment& segment : pslg.segments) pieces_.push_back({length_of(segment)});
   }
 
-  /// Cuts `halved` in any case, where there is room. False if that takes more than `most` points.
-  Result<bool> run(std::span<const SegmentId> halved = {},
-                   std::size_t most = std::numeric_limits<std::size_t>::max()) {
+  /// Cuts `halved` in any case, where there is room. False if that takes more than `most` points,
+  /// or looks: in each pass at all points, and at those of regions that changed.
+  Result<bool> run(std::span<const SegmentId> halved = {}, std::size_t most = kAny,
+                   LookBudget looks = LookBudget()) {
+    looks_ = looks;
     for (const SegmentId s : halved) pieces_[s.index()].is_to_halve = true;
     for (int pass = 0; pass < kPasses;) {
       Result<std::vector<SegmentCut>> cuts = find_cuts();
@@ -83,7 +88,7 @@ class Splitter {
         continue;
       }
       if (cuts->empty()) break;
-      if (points_with(*cuts) > most) return false;
+      if (points_with(*cuts) > most || looks_.is_spent()) return false;
       ++pass;
       // Nobody would look at what the last cuts break.
       if (pass == kPasses || is_in_vain(cuts->size())) {
@@ -145,6 +150,7 @@ class Splitter {
 
   /// One cut for every segment that a region that changed wants shorter; or broken_ is not empty.
   Result<std::vector<SegmentCut>> find_cuts() {
+    looks_.spend(pslg_.points.size());
     std::vector<RegionBoundary> boundaries = split_regions(pslg_, table_);
     if (Status status = resolve_sizes(pslg_, table_, options_, boundaries); !status) {
       return std::move(status).error();
@@ -167,11 +173,12 @@ class Splitter {
       if (!places.empty()) cuts.push_back({SegmentId{s}, std::move(places)});
     }
     note_stuck();
-    return onto_arcs(pslg_, table_, classes.with_images(std::move(cuts)));
+    return onto_arcs(pslg_, table_, classes.with_images(std::move(cuts)), looks_);
   }
 
   void look_at(RegionBoundary& boundary, SegmentWishes& wishes) {
     looked_at_ += boundary.points.size();
+    looks_.spend(boundary.points.size());
     if (const auto fault = wishes.add(boundary)) {
       if (!before_) throw InternalFault(fault->what, fault->where);
       const auto cuts =
@@ -342,7 +349,8 @@ class Splitter {
   std::vector<std::uint8_t> dirty_;  ///< by region
   std::vector<Point> stuck_;         ///< the middles of segments that are
   std::size_t looked_at_ = 0;        ///< points of regions, in all passes
-  std::size_t left_long_ = 0;        ///< segments that were to be cut when no more passes were made
+  LookBudget looks_;
+  std::size_t left_long_ = 0;  ///< segments that were to be cut when no more passes were made
   std::optional<Before> before_;
   std::vector<VertexId> broken_;  ///< cuts that broke something
 };
@@ -357,6 +365,16 @@ Status split_interfaces(Pslg& pslg, RegionTable& table, const Options& options,
   if (Result<bool> run = splitter.run(); !run) return std::move(run).error();
   splitter.tell(before, notes);
   return ok();
+}
+
+Result<std::optional<std::size_t>> count_interface_cuts(Pslg pslg, RegionTable table,
+                                                        const Options& options,
+                                                        std::size_t most_looks) {
+  const std::size_t before = pslg.points.size();
+  Result<bool> is_done =
+      Splitter(pslg, table, options, before).run({}, kAny, LookBudget(most_looks));
+  if (!is_done) return std::move(is_done).error();
+  return *is_done ? std::optional(pslg.points.size() - before) : std::nullopt;
 }
 
 Result<bool> halve_segments(Pslg& pslg, RegionTable& table, const Options& options,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,6 +29,12 @@ namespace cover {
 /// Ref:     mitchell_1993_covering, 1.2; J. Ruppert, J. Algorithms 18 (1995)
 Status split_interfaces(Pslg& pslg, RegionTable& table, const Options& options,
                         std::vector<Note>& notes);
+
+/// How many points split_interfaces() puts on segments; nothing where its passes would look at more
+/// than `most_looks` points for that: in each pass at all, and at those of regions that changed.
+Result<std::optional<std::size_t>> count_interface_cuts(Pslg pslg, RegionTable table,
+                                                        const Options& options,
+                                                        std::size_t most_looks);
 
 /// Cuts `segments` half way where there is room, and then what split_interfaces would cut. False if
 /// that takes more than `most_points`: what was cut until then has angles that are too large.

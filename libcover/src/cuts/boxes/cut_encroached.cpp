@@ -20,6 +20,7 @@
 #include "cuts/before_meshing/least_pieces.hpp"
 #include "cuts/before_meshing/onto_arcs.hpp"
 #include "cuts/cut_segments.hpp"
+#include "cuts/look_budget.hpp"
 #include "cuts/periodic/mirror_cuts.hpp"
 #include "cuts/room_on_segment.hpp"
 #include "cuts/whole_segments.hpp"
@@ -154,8 +155,9 @@ struct Encroached {
 
 class Cutter {
  public:
-  Cutter(Prepared& prepared, VertexId first_cut)
+  Cutter(Prepared& prepared, VertexId first_cut, LookBudget looks)
       : pslg_(prepared.pslg),
+        looks_(looks),
         table_(prepared.table),
         uncut_points_(prepared.report.input_points),
         first_cut_(first_cut),
@@ -163,9 +165,11 @@ class Cutter {
         most_points_(most_points_for_boxes(pslg_, done_)),
         dirty_(table_.regions.size(), 1) {}
 
-  /// Returns what is stuck.
-  std::vector<Point> run() && {
+  /// Returns what is stuck; nothing once the budget is spent.
+  std::optional<std::vector<Point>> run() && {
     for (int pass = 0; pass < kCutPasses; ++pass) {
+      looks_.spend(pslg_.points.size());
+      if (looks_.is_spent()) return std::nullopt;
       boundaries_ = split_regions(pslg_, table_);
       views_.clear();
       views_.resize(boundaries_.size());
@@ -225,6 +229,7 @@ class Cutter {
     for (std::size_t r = 0; r < boundaries_.size(); ++r) {
       if (dirty_[r] == 0) continue;
       RegionInPass& v = view(r);
+      looks_.spend(boundaries_[r].points.size());
       dirty_[r] = v.encroached().empty() ? 0 : 1;
       for (const EncroachedSide& e : v.encroached()) add(v, e, index, found);
     }
@@ -283,7 +288,7 @@ class Cutter {
     }
     std::sort(cuts.begin(), cuts.end(),
               [](const SegmentCut& x, const SegmentCut& y) { return x.segment < y.segment; });
-    cuts = onto_arcs(pslg_, table_, std::move(cuts));
+    cuts = onto_arcs(pslg_, table_, std::move(cuts), looks_);
     for (const SegmentCut& cut : cuts) {
       BoxCut& done = told.at(cut.segment);
       for (const Point p : cut.points) {
@@ -462,6 +467,7 @@ class Cutter {
   }
 
   Pslg& pslg_;
+  LookBudget looks_;  ///< in each pass at all points, and at those of regions that changed
   RegionTable& table_;
   std::size_t uncut_points_;
   VertexId first_cut_;
@@ -484,7 +490,16 @@ std::size_t most_points_for_boxes(const Pslg& pslg, std::span<const BoxCut> cuts
 }
 
 std::vector<Point> cut_encroached(Prepared& prepared, VertexId first_cut) {
-  return Cutter(prepared, first_cut).run();
+  return *Cutter(prepared, first_cut, LookBudget()).run();
+}
+
+std::optional<CountedBoxCuts> count_box_cuts(Prepared prepared, std::size_t most_looks) {
+  prepared.report.box_cuts.clear();
+  const VertexId first_cut{prepared.pslg.points.size()};
+  prepared.report.input_points = first_cut.index();
+  const auto stuck = Cutter(prepared, first_cut, LookBudget(most_looks)).run();
+  if (!stuck) return std::nullopt;
+  return CountedBoxCuts{prepared.report.box_cuts.size(), stuck->size()};
 }
 
 }  // namespace cover

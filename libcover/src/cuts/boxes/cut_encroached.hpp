@@ -1,6 +1,8 @@
 // Cutting the segments on which the input forces a negative coupling of the box method.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,6 +28,15 @@ namespace cover {
 /// Cost:     O(n log n) per pass
 /// Ref:      docs/box_method.md
 std::vector<Point> cut_encroached(Prepared& prepared, VertexId first_cut);
+
+/// What cut_encroached() would do.
+struct CountedBoxCuts {
+  std::size_t cuts = 0;
+  std::size_t uncut = 0;  ///< pieces without room
+};
+/// Nothing where its passes would look at more than `most_looks` points for that: in each pass at
+/// all, and at those of regions that changed.
+std::optional<CountedBoxCuts> count_box_cuts(Prepared prepared, std::size_t most_looks);
 
 /// With more points than this, of which `cuts` were added, cutting for the box method is a cascade
 /// in a layer too thin for doubles.

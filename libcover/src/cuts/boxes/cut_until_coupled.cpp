@@ -16,6 +16,7 @@
 #include "cuts/boxes/cut_encroached.hpp"
 #include "cuts/boxes/cut_for_boxes.hpp"
 #include "cuts/cut_segments.hpp"
+#include "cuts/look_budget.hpp"
 #include "cuts/periodic/mirror_cuts.hpp"
 #include "cuts/room_on_segment.hpp"
 #include "cuts/whole_segments.hpp"
@@ -126,7 +127,8 @@ class CouplingRounds {
       for (const SegmentCut& image : classes.images(cuts.back()))
         chosen.by.emplace(image.segment, apex);
     }
-    chosen.cuts = onto_arcs(work_.pslg, work_.table, classes.with_images(std::move(cuts)));
+    LookBudget looks;
+    chosen.cuts = onto_arcs(work_.pslg, work_.table, classes.with_images(std::move(cuts)), looks);
     return chosen;
   }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "box/encroached_sides.hpp"
 #include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
+#include "cuts/before_meshing/split_interfaces.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
 #include "support/inputs/inputs.hpp"
@@ -57,6 +59,41 @@ TEST(CutEncroached, AFootBesideACornerIsMovedAwayFromIt) {
   for (const BoxCut& c : done.cuts) {
     for (const Point& p : input.points) EXPECT_GT(length(c.at - p), 0.3);
   }
+}
+
+/// So many octagons around each other, a fortieth of a side apart.
+Input nested_octagons(int count) {
+  Input input;
+  for (int k = 0; k < count; ++k) {
+    const auto first = static_cast<std::uint32_t>(input.points.size());
+    for (std::uint32_t corner = 0; corner < 8; ++corner) {
+      const double angle = corner * std::numbers::pi / 4, radius = 1 + 0.02 * k;
+      input.points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+      InputSegment segment;
+      segment.a = first + corner;
+      segment.b = first + (corner + 1) % 8;
+      input.segments.push_back(segment);
+    }
+  }
+  return input;
+}
+
+TEST(CutEncroached, CascadesOfCutsAreCountedAsFarAsAskedFor) {
+  const Result<Prepared> prepared = prepare(nested_octagons(20));
+  ASSERT_TRUE(prepared);
+  const BoxCosts costs = *box_costs(*prepared);
+  ASSERT_TRUE(costs.cuts && costs.cuts_for_right_angles);
+  const auto counted = count_box_cuts(*prepared, 250'000);
+  ASSERT_TRUE(counted);
+  EXPECT_EQ(counted->cuts, costs.cuts);
+  EXPECT_EQ(counted->uncut, costs.uncut);
+  EXPECT_FALSE(count_box_cuts(*prepared, 1000));
+  Options right;
+  right.split_interfaces = Angle::degrees(90);
+  const auto cuts = count_interface_cuts(prepared->pslg, prepared->table, right, 1'000'000);
+  ASSERT_TRUE(cuts);
+  EXPECT_EQ(*cuts, costs.cuts_for_right_angles);
+  EXPECT_EQ(*count_interface_cuts(prepared->pslg, prepared->table, right, 1000), std::nullopt);
 }
 
 TEST(CutEncroached, SizesAreNoPriceOfRightAngles) {
