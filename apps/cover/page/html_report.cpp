@@ -266,6 +266,8 @@ class Page {
     });
     const bool cut = order.size() > kMostRows;
     if (cut) order.resize(kMostRows);
+    std::vector<double> curved;  // areas, by RegionId - 1; empty: no arcs
+    if (!output_.pslg.circles.empty()) curved = curved_mesh(output_).areas;
     out_ += fmt::format(
         "<h2>Regions, lowest rho first{}</h2>\n"
         "<div class=\"panel scroll\">\n<table class=\"regions\">\n<thead>\n<tr><th "
@@ -273,28 +275,35 @@ class Page {
         "<th class=\"group\" colspan=\"3\">largest angle</th><th colspan=\"2\"></th>"
         "<th class=\"group\" colspan=\"2\">triangles (forced)</th><th></th></tr>\n"
         "<tr><th>id</th><th class=\"t\">name</th>"
-        "<th class=\"t\">material</th><th>area</th><th>triangles</th><th>new vertices</th>"
+        "<th class=\"t\">material</th><th>area{}</th><th>triangles</th><th>new vertices</th>"
         "<th>no mesh below</th><th>proven</th><th>reached</th><th>rho</th><th>smallest</th>"
         "<th>&gt; 120°</th><th>&gt; 150°</th><th class=\"t\">method</th></tr>\n</thead>\n",
-        cut ? fmt::format(" (the first {})", kMostRows) : "");
+        cut ? fmt::format(" (the first {})", kMostRows) : "",
+        curved.empty() ? "" : " (with --order 2)");
     for (const std::size_t i : order) {
       const RegionReport& r = report_.regions[i];
       const Region& region = output_.table.region(r.id);
       out_ += fmt::format(
           "<tr{} data-region=\"{}\"><td>{}</td><td class=\"t\">{}</td><td "
-          "class=\"t\">{}</td><td>{:.5g}</td><td>{}</td>"
+          "class=\"t\">{}</td><td>{}</td><td>{}</td>"
           "<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.2f}</td><td>{}</td><td>{} "
           "({})</td>"
           "<td>{} ({})</td><td class=\"t\">{}</td></tr>\n",
           r.bound_held ? "" : " class=\"missed\"", region.id.value(), region.id.value(),
-          escaped_markup(region.name), escaped_markup(region.material_name), region.area,
-          grouped(r.quality.triangles), grouped(r.steiner_vertices), angle_text(r.lowest_nu()),
-          angle_text(r.nu_bound), angle_text(r.quality.largest_nu), r.rho(),
-          small_angle_text(r.quality.smallest), grouped(r.quality.above_120),
-          grouped(r.forced_above_120), grouped(r.quality.above_150), grouped(r.forced_above_150),
-          escaped_markup(r.method));
+          escaped_markup(region.name), escaped_markup(region.material_name),
+          area_text(region.area, curved, region.id), grouped(r.quality.triangles),
+          grouped(r.steiner_vertices), angle_text(r.lowest_nu()), angle_text(r.nu_bound),
+          angle_text(r.quality.largest_nu), r.rho(), small_angle_text(r.quality.smallest),
+          grouped(r.quality.above_120), grouped(r.forced_above_120), grouped(r.quality.above_150),
+          grouped(r.forced_above_150), escaped_markup(r.method));
     }
     out_ += "</table>\n</div>\n";
+  }
+
+  /// The area inside straight edges, and inside those through the nodes on arcs.
+  static std::string area_text(double area, const std::vector<double>& curved, RegionId region) {
+    return curved.empty() ? fmt::format("{:.5g}", area)
+                          : fmt::format("{:.5g} ({:.5g})", area, curved[place_of(region)]);
   }
 
   void histogram() {

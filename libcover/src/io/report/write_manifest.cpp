@@ -10,19 +10,20 @@
 // many cut segments, steiner_vertices are all others, "quality": QUALITY, "region_groups": [ {
 // "tag", "name": in .vtk and .obj, "original", "label": in formats with UTF-8, and "set": in .inp,
 // each if it is not the name, "material" } ], "line_groups": [ the same, without "material" ],
-// "regions": [ { "id", "name", "material", "material_name", "group": tag, "triangles", "area",
-// "quality": QUALITY, "gamma_opt", "bound_held" } ], "lines": [ { "id" (0: the hull), "kind",
-// "name", "left", "right", "group": tag, "length", "edges": [[a, b], ...] with the left region on
-// the left, "markers": [of the input, by edge] where there are any, "groups": [tags, by edge]
-// instead of "group" where they differ } ], "attributes": [ { "name": of the array in VTK's files,
-// .msh and .xdmf, "original" if it is not that, "words": of text, what the numbers of the array
-// mean, from 1 on, "values": [by region; null: none] } ] where there are any, "fields": [ { "name":
-// of the array at points, "original" } ] where there are any, "periodic": [ { "from", "to": names,
-// "map": "translation", "rotation" or "mirror", "matrix": [[xx, xy, x0], [yx, yy, y0]], which takes
-// "from" to "to", "centre", "angle": of a rotation, "vertices": [[a, its image], ...], "edges":
-// [[a, b, their images], ...] } ] where there are any, "arcs": [ { "centre", "radius", "edges":
-// [[a, b], ...], the shorter arcs between these vertices, "straight": those of "order" 2 that are
-// straight since triangles beside them would not be proven valid } ] where there are any,
+// "regions": [ { "id", "name", "material", "material_name", "group": tag, "triangles", "area": with
+// straight edges, "curved_area": of "order" 2 where there are arcs, inside edges through the middle
+// nodes, "quality": QUALITY, "gamma_opt", "bound_held" } ], "lines": [ { "id" (0: the hull),
+// "kind", "name", "left", "right", "group": tag, "length", "edges": [[a, b], ...] with the left
+// region on the left, "markers": [of the input, by edge] where there are any, "groups": [tags, by
+// edge] instead of "group" where they differ } ], "attributes": [ { "name": of the array in VTK's
+// files, .msh and .xdmf, "original" if it is not that, "words": of text, what the numbers of the
+// array mean, from 1 on, "values": [by region; null: none] } ] where there are any, "fields": [ {
+// "name": of the array at points, "original" } ] where there are any, "periodic": [ { "from", "to":
+// names, "map": "translation", "rotation" or "mirror", "matrix": [[xx, xy, x0], [yx, yy, y0]],
+// which takes "from" to "to", "centre", "angle": of a rotation, "vertices": [[a, its image], ...],
+// "edges": [[a, b, their images], ...] } ] where there are any, "arcs": [ { "centre", "radius",
+// "edges": [[a, b], ...], the shorter arcs between these vertices, "straight": those of "order" 2
+// that are straight since triangles beside them would not be proven valid } ] where there are any,
 // "warnings": [sentences] }
 //
 //   QUALITY  { "largest_angle", "smallest_angle", "obtuse", "above_120", "above_150" }
@@ -74,7 +75,9 @@ class ManifestWriter {
  public:
   ManifestWriter(const Output& output, const MeshView& view, const std::string& ids,
                  TextWriter& out)
-      : output_(output), view_(view), ids_(ids), out_(out) {}
+      : output_(output), view_(view), ids_(ids), out_(out) {
+    if (!output.pslg.circles.empty()) curved_ = curved_mesh(output);
+  }
 
   void write() {
     out_ << "{\n\"format\": \"cover mesh manifest\",\n\"format_version\": 1,\n";
@@ -156,6 +159,7 @@ class ManifestWriter {
                 {"group", view_.region_groups[view_.region_group[r]].tag},
                 {"triangles", triangles[r]},
                 {"area", region.area}};
+      if (view_.second_order() && !curved_.edges.empty()) json["curved_area"] = curved_.areas[r];
       if (measured()) {
         const RegionReport& report = output_.report.regions[r];
         json["quality"] = describe_quality(report.quality);
@@ -265,7 +269,7 @@ class ManifestWriter {
   [[nodiscard]] std::vector<Json> arcs() const {
     const auto& circles = output_.pslg.circles;
     std::vector<Json> edges(circles.size(), Json::array()), straight(edges), list;
-    for (const CurvedEdge& edge : curved_mesh(output_).edges) {
+    for (const CurvedEdge& edge : curved_.edges) {
       edges[edge.circle].push_back({edge.a, edge.b});
       if (edge.is_straight) straight[edge.circle].push_back({edge.a, edge.b});
     }
@@ -294,6 +298,7 @@ class ManifestWriter {
   const MeshView& view_;
   const std::string& ids_;
   TextWriter& out_;
+  CurvedMesh curved_;  ///< where there are arcs
 };
 
 }  // namespace

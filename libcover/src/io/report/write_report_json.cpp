@@ -10,7 +10,8 @@
 //     "overall": LIMITS + QUALITY + { "bound_held": regions, "bound_missed": [region ids],
 //                "methods": {method: regions}, "fallbacks", "rho_smallest", "box": BOX,
 //                "limits": { "largest": {standing: regions}, "smallest": {standing: regions} } },
-//     "regions": [ { "id", "name", "material", "material_name", "area", "sides", "method",
+//     "regions": [ { "id", "name", "material", "material_name", "area": with straight edges,
+//                    "sides", "method",
 //                    "input_vertices", "steiner_vertices", "bound_held", "seconds", "notes": NOTES,
 //                    "box": BOX, "limits": PROVEN, "layers": [ LAYERS ] where
 //                    it has some } + LIMITS + QUALITY ],
