@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/core.h>
+
+#include <cover/text.hpp>
+
 #include "base/numbers.hpp"
 #include "geom/turn.hpp"
 #include "geom/vector.hpp"
@@ -37,6 +41,7 @@ Point point_on_circle(Point centre, double radius, double degrees) {
 void CurveCutter::add(const Arc& arc) {
   Circle& circle = circles_[{arc.centre.x, arc.centre.y, arc.radius}];
   circle.step = std::min(circle.step, arc.step);
+  if (arc.is_counted) circle.longest = std::max(circle.longest, arc.step);
   if (arc.full() && arc.from == 0) return;  // a plain circle has no ends
   circle.ends.push_back(reduced_degrees(arc.from));
   circle.ends.push_back(reduced_degrees(arc.to));
@@ -86,6 +91,21 @@ std::optional<std::vector<Point>> CurveCutter::points(const Arc& arc, std::size_
     points.push_back(point_on_circle(arc.centre, arc.radius, angles[(first + k) % angles.size()]));
   if (clockwise) std::reverse(points.begin(), points.end());
   return points;
+}
+
+std::vector<std::string> CurveCutter::finer_than_asked() const {
+  std::vector<std::string> sentences;
+  for (const auto& [key, circle] : circles_) {
+    // The same number may be divided from another angle, and so be rounded otherwise.
+    if (circle.longest <= circle.step * (1 + 1e-9)) continue;
+    const auto& [x, y, radius] = key;
+    const auto chords = [](double step) { return pieces(360, step); };
+    sentences.push_back(fmt::format(
+        "curves on the circle around {} of radius {} ask for {} and for {} chords to a full turn: "
+        "they share their points, so the larger number counts for all of them",
+        describe(Point{x, y}), describe(radius), chords(circle.longest), chords(circle.step)));
+  }
+  return sentences;
 }
 
 std::uint32_t CircleNumbers::of(const ArcCircle& circle) {

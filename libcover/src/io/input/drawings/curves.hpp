@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -21,7 +22,8 @@ struct Arc {
   double radius = 0;
   double from = 0;
   double to = 360;
-  double step = 120;  ///< largest angle that one chord may span
+  double step = 120;        ///< largest angle that one chord may span
+  bool is_counted = false;  ///< the step is that of so many chords, not the most that may be
   [[nodiscard]] bool full() const { return to - from == 360 || from - to == 360; }
 };
 
@@ -49,10 +51,14 @@ class CurveCutter {
   /// REQUIRES: the arc was added, and no other one since the first call
   std::optional<std::vector<Point>> points(const Arc& arc, std::size_t most);
 
+  /// A sentence for each circle whose arcs ask for different numbers of chords.
+  [[nodiscard]] std::vector<std::string> finer_than_asked() const;
+
  private:
   struct Circle {
     std::vector<double> ends;  ///< in [0, 360)
     double step = 120;
+    double longest = 0;          ///< the largest step of so many chords; 0: none
     std::vector<double> angles;  ///< of all points, ascending; empty: not cut yet
   };
   using Key = std::tuple<double, double, double>;

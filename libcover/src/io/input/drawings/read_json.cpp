@@ -70,6 +70,8 @@ class InputReader {
       read_layers();
     }
     if (json_.failed()) return json_.error();
+    for (std::string& sentence : cutter_.finer_than_asked())
+      input_.warnings.push_back(std::move(sentence));
     return std::move(input_);
   }
 
@@ -135,6 +137,7 @@ class InputReader {
     if (!(sweep > 0 && sweep <= 360))
       json_.fail(*curve, "an arc spans more than 0 and at most 360 degrees");
     arc.step = read_step(*curve, arc.radius, sweep, circle ? 3 : 1);
+    arc.is_counted = JsonReader::member(*curve, "chords") != nullptr;
     if (json_.failed()) return std::nullopt;
     return arc;
   }

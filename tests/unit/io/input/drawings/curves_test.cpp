@@ -75,6 +75,23 @@ TEST(CurveCutter, GivesNeighboursTheSamePointsWhateverTheirExtent) {
   }
 }
 
+TEST(CurveCutter, TellsOfNumbersOfChordsThatDoNotCount) {
+  const Arc of_8{{1, 2}, 0.5, 0, 360, 45, true}, of_12{{1, 2}, 0.5, 0, 360, 30, true};
+  const Arc third_of_12{{1, 2}, 0.5, 10, 130, 120.0 / 4, true};
+  const Arc other{{1, 2}, 0.7, 0, 360, 45, true}, at_most{{1, 2}, 0.5, 0, 360, 50};
+  const auto told = [](const std::vector<Arc>& arcs) {
+    CurveCutter cutter;
+    for (const Arc& arc : arcs) cutter.add(arc);
+    return cutter.finer_than_asked();
+  };
+  EXPECT_TRUE(told({of_8, of_8, other, at_most}).empty());
+  EXPECT_TRUE(told({of_12, third_of_12}).empty());
+  EXPECT_EQ(told({of_12, of_8, other}),
+            std::vector<std::string>{"curves on the circle around (1, 2) of radius 0.5 ask for 8 "
+                                     "and for 12 chords to a full turn: they share their points, "
+                                     "so the larger number counts for all of them"});
+}
+
 TEST(CurveCutter, GivesTheSameArcBackwardsFromItsOtherEnd) {
   CurveCutter cutter;
   const Arc there{{0, 0}, 1, 17, 113, 7}, back{{0, 0}, 1, 113, 17, 7};

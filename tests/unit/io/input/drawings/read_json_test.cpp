@@ -92,6 +92,20 @@ TEST(ReadJson, TurnsCurvesIntoSegmentsOfAPslg) {
   for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(input.segments[k].name, "top");
 }
 
+TEST(ReadJson, TellsOfOneCircleWithTwoNumbersOfChords) {
+  const Input same = read(R"({"segments": [
+    {"circle": {"centre": [0, 0], "radius": 1, "chords": 12}},
+    {"arc": {"centre": [0, 0], "radius": 1, "from": 90, "to": 0, "chords": 3}}]})");
+  EXPECT_EQ(same.points.size(), 12u);
+  EXPECT_TRUE(same.warnings.empty());
+  const Input other = read(R"({"segments": [
+    {"circle": {"centre": [0, 0], "radius": 1, "chords": 8}},
+    {"circle": {"centre": [0, 0], "radius": 1, "chords": 12}}]})");
+  EXPECT_EQ(other.points.size(), 12u);
+  ASSERT_EQ(other.warnings.size(), 1u);
+  EXPECT_NE(other.warnings[0].find("ask for 8 and for 12 chords"), std::string::npos);
+}
+
 TEST(ReadJson, ReadsLayersOfLines) {
   const Input input = read(R"({
     "points": [[0, 0], [1, 0], [1, 1]],
