@@ -109,16 +109,36 @@ class Convert(Case):
         self.assertIn('neither d.json nor d.vtm is there', err)
         self.assertIn('e.vtm', self.files())
 
-    def test_periodic_pairs_need_the_manifest(self):
-        self.run_cover('mesh', SAMPLES / 'motor_pole.json', '-o', 'p.msh', '-o', 'p.vtu', '-o', 'p.json', '-q')
-        for mesh in ('p.msh', 'p.vtu'):
+    def test_periodic_pairs_need_the_manifest_or_a_msh(self):
+        def section(name):
+            return (self.dir / name).read_text().partition('$Periodic')[2].partition('$EndPeriodic')[0]
+
+        def pairs(name):
+            return [{key: sorted(rule[key]) for key in ('vertices', 'edges')} for rule in json.loads((self.dir / name).read_text())['periodic']]
+        self.run_cover('mesh', SAMPLES / 'motor_pole.json', '-o', 'p.msh', '-o', 'p.vtu', '-o', 'p.vtm', '-o', 'p.json', '-q')
+        known, given = section('p.msh'), pairs('p.json')
+        for mesh in ('p.msh', 'p.vtu', 'p.vtm'):
             self.assertEqual(self.run_cover('convert', mesh, '-o', 'q.msh')[1], '')
-            self.assertIn('$Periodic', (self.dir / 'q.msh').read_text())
+            self.assertEqual(section('q.msh'), known)
         (self.dir / 'p.json').unlink()
-        for mesh in ('p.msh', 'p.vtu'):
+        for mesh in ('p.vtu', 'p.vtm'):
             _, err = self.run_cover('convert', mesh, '-o', 'q.msh')
-            self.assertIn(f'{mesh}: pairs of points on periodic sides are left out: only the manifest, p.json, names', err)
-            self.assertNotIn('$Periodic', (self.dir / 'q.msh').read_text())
+            self.assertIn(f'{mesh}: pairs of points on periodic sides are left out: only the manifest, p.json, or a .msh names', err)
+            self.assertEqual(section('q.msh'), '')
+        self.assertEqual(self.run_cover('convert', 'p.msh', '-o', 'q.msh', '-o', 'q.vtu', '-o', 'q.json')[1], '')
+        self.assertEqual(section('q.msh'), known)
+        self.assertEqual(pairs('q.json'), given)
+        self.assertIn('PeriodicNode', (self.dir / 'q.vtu').read_text(errors='replace'))
+        # Translations, both versions and second order, alone.
+        cell = SAMPLES / 'fibre_cell.json'
+        for number, words in enumerate((('--msh', '2.2'), ('--msh', '4.1'), ('--order', '2'), ('--order', '2', '--msh', '4.1'))):
+            source, target = f'm{number}.msh', f'n{number}.msh'
+            self.run_cover('mesh', cell, '--split-interfaces', '--size', '2', *words, '-o', source, '-q')
+            self.assertNotIn('periodic', self.run_cover('convert', source, *words, '-o', target, '-o', f'n{number}.json')[1])
+            told = json.loads((self.dir / f'n{number}.json').read_text())['periodic']
+            self.assertEqual({(rule['from'], rule['to'], rule['map']) for rule in told},
+                             {('left', 'right', 'translation'), ('bottom', 'top', 'translation')})
+            self.assertEqual(section(target).split('\n')[1], section(source).split('\n')[1])
 
     def test_the_manual_counts_the_pairs_of_its_machine(self):
         manual = (SAMPLES.parents[1] / 'libcover/docs/manual.md').read_text()

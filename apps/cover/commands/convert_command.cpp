@@ -30,7 +30,9 @@ int run_convert(Arguments arguments) {
   app.footer(
       R"(Names of regions, interfaces and contacts come from the manifest (.json) or the .vtm beside
 the mesh, else from the mesh's own file; what is missing then is said. Attributes of regions
-(--keep-field) and values at points (doping) are kept where both formats bear them.
+(--keep-field) and values at points (doping) are kept where both formats bear them. The circles
+of arcs stand in the manifest alone, which sides are periodic in it and in .msh: else curved edges
+become straight and pairs are left out, which is said.
 
 Examples:
   cover convert device.vtm -o device.vtu

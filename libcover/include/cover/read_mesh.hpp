@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <cover/output.hpp>
+#include <cover/periodic.hpp>
 #include <cover/plane_field.hpp>
 #include <cover/point.hpp>
 #include <cover/result.hpp>
@@ -46,8 +47,9 @@ struct MeshFile {
   /// .msh: it is one of so many files of a mesh for several processes, and holds copies of
   /// triangles of others; else 0.
   std::size_t parts = 0;
-  /// VTK, .msh: points are paired on periodic sides. The sides themselves stand in a manifest only.
+  /// VTK, .msh: points are paired on periodic sides. Which sides these are, a .msh alone tells.
   bool has_periodic_points = false;
+  std::vector<PeriodicNodes> periodic{};  ///< .msh: empty too where it is not as cover writes it
   /// VTK, .msh, .xdmf: numbers at points, as they are in `soup`, without those that every mesh of
   /// ours has.
   std::vector<PlaneField::Array> point_arrays{};
@@ -69,7 +71,7 @@ Result<MeshFile> read_mesh(const std::string& path);
 /// file itself. So do attributes of regions and values at points, words of attributes not from a
 /// lone .vtu, .msh or .xdmf. What is missing then is said in the report's notes, and that midpoints
 /// of second-order triangles, of curved edges whose arcs no manifest tells also how many, or pairs
-/// of periodic sides, were left out.
+/// of periodic sides that neither a manifest nor a .msh tells, were left out.
 ///
 /// Errors: those of read_mesh(); syntax also where the manifest is of another mesh.
 Result<Output> read_output(const std::string& path);

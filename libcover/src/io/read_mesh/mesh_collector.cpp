@@ -17,6 +17,12 @@ MeshFile MeshCollector::finish() {
       line.a = renumbered[line.a];
       line.b = renumbered[line.b];
     }
+    for (PeriodicNodes& nodes : mesh.periodic) {
+      for (auto& pair : nodes.vertices)
+        for (std::uint32_t& v : pair) v = renumbered[v];
+      for (auto& edge : nodes.edges)
+        for (std::uint32_t& v : edge) v = renumbered[v];
+    }
     for (PlaneField::Array& array : mesh.point_arrays)
       drop_values(renumbered, mesh.soup.points.size(), array.values);
   }

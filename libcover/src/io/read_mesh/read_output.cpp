@@ -89,7 +89,7 @@ class Completion {
     if (stored && has_periodic_points_ && stored->periodic.empty())
       tell(
           {fmt::format("pairs of points on periodic sides are left out: only the manifest, {}, "
-                       "names these sides",
+                       "or a .msh names these sides",
                        beside(".json"))});
     return stored;
   }
@@ -146,6 +146,7 @@ class Completion {
     has_periodic_points_ = file->has_periodic_points;
     Result<bool> named = read_manifest(beside(".json"), file->group, stored);
     if (!named) return std::move(named).error();
+    if (!*named) stored.periodic = std::move(read.periodic);
     const bool has_blocks = !*named && fs::is_regular_file(beside(".vtm"));
     if (has_blocks && stored.soup.region.empty()) take_run_from_vtm(beside(".vtm"), stored);
     if (has_blocks && !stored.soup.region.empty()) {

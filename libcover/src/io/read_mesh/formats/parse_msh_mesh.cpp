@@ -1,4 +1,5 @@
 #include "io/read_mesh/formats/msh_file.hpp"
+#include "io/read_mesh/formats/msh_periodic.hpp"
 #include "io/read_mesh/mesh_collector.hpp"
 #include "io/read_mesh/mesh_formats.hpp"
 
@@ -13,6 +14,7 @@ Result<MeshFile> parse_msh_mesh(std::string_view text, const std::string& source
   mesh.point_arrays = std::move(file->point_arrays);
   mesh.has_periodic_points = file->has_periodic_points;
   mesh.parts = file->parts;
+  mesh.periodic = periodic_of_msh(text, *file);
   for (const PlaneField::Array& array : file->element_arrays)
     mesh.arrays.push_back({array.name, {}});
   for (std::size_t e = 0; e < file->elements.size(); ++e) {

@@ -1,0 +1,185 @@
+// Tested by tests/unit/io/read_mesh/formats/msh_periodic_test.cpp.
+#include "io/read_mesh/formats/msh_periodic.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "base/containers/order.hpp"
+#include "base/numbers.hpp"
+#include "io/text/text.hpp"
+#include "io/text/token_reader.hpp"
+
+namespace cover {
+namespace {
+
+/// A curve that is the image of another one.
+struct CurveLink {
+  long image = 0;
+  long original = 0;
+  std::array<double, 16> map{};
+  std::map<std::uint32_t, std::uint32_t> original_of;  ///< by node
+};
+
+/// What stands between $Periodic and its end; nothing where that is binary.
+std::optional<std::string_view> section_of(std::string_view text) {
+  constexpr std::string_view kBegin = "\n$Periodic", kEnd = "$EndPeriodic";
+  const std::string source;
+  TokenReader head(text, source);
+  head.expect("$MeshFormat");
+  head.real("the version of the format");
+  if (head.integer("the file type") != 0 || head.failed()) return std::nullopt;
+  const std::size_t begin = text.find(kBegin);
+  if (begin == std::string_view::npos) return std::nullopt;
+  const std::string_view rest = text.substr(begin + kBegin.size());
+  return rest.substr(0, rest.find(kEnd));
+}
+
+/// The links between curves; nothing where one cannot be understood.
+std::optional<std::vector<CurveLink>> links_in(std::string_view section, const MshFile& file) {
+  std::unordered_map<long, std::uint32_t> index;
+  for (std::size_t p = 0; p < file.point_ids.size(); ++p)
+    index.emplace(file.point_ids[p], static_cast<std::uint32_t>(p));
+  const std::string source;
+  TokenReader tokens(section, source);
+  std::vector<CurveLink> links;
+  const std::size_t n = tokens.count("links");
+  for (std::size_t k = 0; k < n && !tokens.failed(); ++k) {
+    const long dimension = tokens.integer("a dimension");
+    CurveLink link;
+    link.image = tokens.integer("a curve");
+    link.original = tokens.integer("a curve");
+    // Version 2 has a word there, version 4 the count of the numbers.
+    const std::string_view map = tokens.word();
+    if (dimension > 1 || (dimension == 1 && map != "Affine" && map != "16")) return std::nullopt;
+    std::size_t nodes = 0;
+    if (map == "Affine" || map == "16") {
+      for (double& number : link.map) number = tokens.real("a number of a map");
+      nodes = tokens.count("nodes");
+    } else if (file.has_entities) {
+      nodes = static_cast<std::size_t>(std::max(parse_integer(map).value_or(0), 0L));
+    } else {
+      nodes = tokens.count("nodes");  // behind a map of no numbers
+    }
+    for (std::size_t i = 0; i < nodes && !tokens.failed(); ++i) {
+      const auto image = index.find(tokens.integer("a node"));
+      const auto original = index.find(tokens.integer("a node"));
+      if (image == index.end() || original == index.end()) return std::nullopt;
+      link.original_of.emplace(image->second, original->second);
+    }
+    if (dimension == 1) links.push_back(std::move(link));
+  }
+  if (tokens.failed()) return std::nullopt;
+  return links;
+}
+
+Isometry isometry_of(const std::array<double, 16>& m) {
+  return {{m[0], 0}, {m[1], 0}, {m[4], 0}, {m[5], 0}, {m[3], 0}, {m[7], 0}};
+}
+
+/// A rule with the map, which has to be an isometry for that.
+PeriodicRule rule_of(std::string from, std::string to, const std::array<double, 16>& m) {
+  PeriodicRule rule{std::move(from), std::move(to), PeriodicRule::Map::translation, {}, {}};
+  const double xx = m[0], xy = m[1], yx = m[4], yy = m[5];
+  if (xx == 1 && xy == 0 && yx == 0 && yy == 1) return rule;
+  if (xx * yy - xy * yx < 0) {
+    rule.map = PeriodicRule::Map::mirror;
+    return rule;
+  }
+  rule.map = PeriodicRule::Map::rotation;
+  rule.angle = Angle::radians(std::atan2(yx, xx));
+  // The place that stays.
+  const double determinant = (1 - xx) * (1 - yy) - xy * yx;
+  rule.centre = {((1 - yy) * m[3] + xy * m[7]) / determinant,
+                 (yx * m[3] + (1 - xx) * m[7]) / determinant};
+  return rule;
+}
+
+class MshPairs {
+ public:
+  explicit MshPairs(const MshFile& file) : file_(file) {
+    for (std::size_t e = 0; e < file.elements.size(); ++e)
+      if (file.elements[e].dimension == 1) lines_[file.elements[e].entity].push_back(e);
+  }
+
+  /// False where the image of a line is none.
+  bool add(const CurveLink& link) {
+    const auto images = lines_.find(link.image), originals = lines_.find(link.original);
+    if (images == lines_.end() || originals == lines_.end()) return false;
+    std::set<std::array<std::uint32_t, 2>> known;  // edges
+    for (const std::size_t e : originals->second) {
+      const auto ends = file_.nodes_of(file_.elements[e]);
+      known.insert({ends[0], ends[1]});
+    }
+    PeriodicNodes& nodes = all_[{name_of(originals->second), name_of(images->second), link.map}];
+    for (const std::size_t e : images->second) {
+      const auto ends = file_.nodes_of(file_.elements[e]);
+      const std::uint32_t a = original_of(link, ends[0]), b = original_of(link, ends[1]);
+      // As the original runs, which its image need not.
+      if (known.contains({a, b}))
+        nodes.edges.push_back({a, b, ends[0], ends[1]});
+      else if (known.contains({b, a}))
+        nodes.edges.push_back({b, a, ends[1], ends[0]});
+      else
+        return false;
+      nodes.vertices.push_back({a, ends[0]});
+      nodes.vertices.push_back({b, ends[1]});
+    }
+    return true;
+  }
+
+  std::vector<PeriodicNodes> take() {
+    std::vector<PeriodicNodes> all;
+    for (auto& [key, nodes] : all_) {
+      const auto& [from, to, map] = key;
+      sort_unique(nodes.vertices);
+      nodes.rule = rule_of(from, to, map);
+      nodes.map = isometry_of(map);
+      all.push_back(std::move(nodes));
+    }
+    return all;
+  }
+
+ private:
+  /// A node that has no partner is its own image.
+  static std::uint32_t original_of(const CurveLink& link, std::uint32_t node) {
+    const auto found = link.original_of.find(node);
+    return found == link.original_of.end() ? node : found->second;
+  }
+
+  [[nodiscard]] std::string name_of(const std::vector<std::size_t>& lines) const {
+    const MshElement& first = file_.elements[lines.front()];
+    const auto name = file_.names.find({1, first.physical});
+    return name != file_.names.end() ? name->second : fmt::format("{}", first.physical);
+  }
+
+  const MshFile& file_;
+  std::map<long, std::vector<std::size_t>> lines_;  ///< elements, by curve
+  std::map<std::tuple<std::string, std::string, std::array<double, 16>>, PeriodicNodes> all_;
+};
+
+}  // namespace
+
+std::vector<PeriodicNodes> periodic_of_msh(std::string_view text, const MshFile& file) {
+  if (!file.has_periodic_points) return {};
+  const std::optional<std::string_view> section = section_of(text);
+  if (!section) return {};
+  const auto links = links_in(*section, file);
+  if (!links) return {};
+  MshPairs pairs(file);
+  for (const CurveLink& link : *links)
+    if (!pairs.add(link)) return {};
+  return pairs.take();
+}
+
+}  // namespace cover
