@@ -25,6 +25,19 @@ class Convert(Case):
         self.assertEqual((self.dir / 'e.vtu').read_bytes(), (self.dir / 'd.vtu').read_bytes())
         self.run_cover('check', SAMPLES / 'diode.poly', 'e.vtu')
 
+    def test_regions_of_one_name_are_one_set(self):
+        rings = [[[x, 0], [x + 1, 0], [x + 1, 1], [x, 1]] for x in (0, 2)]
+        self.write('c.json', json.dumps({'polygons': [{'material': 'cu', 'region': 'coil', 'rings': [ring]} for ring in rings]}))
+        self.run_cover('mesh', 'c.json', '-o', 'c.vtm', '-q')
+        told = '2 regions with names are 1 element set in a.inp, one for each name and material: --ids region keeps them apart'
+        self.assertIn(told, self.run_cover('convert', 'c.vtm', '-o', 'a.inp')[1])
+        self.assertEqual((self.dir / 'a.inp').read_text().count('ELSET'), 1)
+        self.assertEqual(self.run_cover('convert', 'c.vtm', '-o', 'a.inp', '--ids', 'region')[1], '')
+        self.assertEqual((self.dir / 'a.inp').read_text().count('ELSET'), 2)
+        for names in (('a.inp', 'a.json'), ('a.msh',)):
+            words = [word for name in names for word in ('-o', name)]
+            self.assertNotIn('element set', self.run_cover('convert', 'c.vtm', *words)[1])
+
     def test_a_mesh_in_parts_comes_back(self):
         plate = SAMPLES / 'plate.poly'
         for order in '1', '2':

@@ -71,6 +71,8 @@ Examples:
   for (const std::string& warning : files.warnings(mesh->table.attributes, mesh->fields, periodic))
     log->warn("{}", warning);
   for (const std::string& warning : files.warnings_of(*mesh)) log->warn("{}", warning);
+  if (const std::string joined = files.regions_joined(mesh->table); !joined.empty())
+    log->warn("{}", joined);
   const Status done = files.write(*mesh, interrupt.token(), ShowProgress::off, *log);
   if (!done) return fail(*log, done.error());
   return exit_ok;

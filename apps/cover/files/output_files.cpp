@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include <fmt/core.h>
@@ -120,6 +121,25 @@ std::vector<std::string> OutputFiles::warnings_of(const Output& output) const {
   std::vector<std::string> sentences{rounding(output), lines_left_out(output.table)};
   std::erase_if(sentences, [](const std::string& sentence) { return sentence.empty(); });
   return sentences;
+}
+
+std::string OutputFiles::regions_joined(const RegionTable& table) const {
+  std::vector<std::string> decks;
+  for (const std::string& path : meshes_)
+    if (extension_of_output(path, format_) == ".inp") decks.push_back(name_of(path));
+  // Regions without a name of their own are told by their material alone.
+  std::size_t named = 0;
+  std::set<std::pair<std::string, int>> sets;
+  for (const Region& region : table.regions) {
+    if (region.name == region.material_name) continue;
+    ++named;
+    sets.emplace(region.name, region.material);
+  }
+  if (decks.empty() || has_manifest() || sets.size() == named || !write_options().ids.empty())
+    return {};
+  return fmt::format(
+      "{} with names are {} in {}, one for each name and material: --ids region keeps them apart",
+      counted(named, "region"), counted(sets.size(), "element set"), listed(decks));
 }
 
 bool OutputFiles::has_manifest() const {

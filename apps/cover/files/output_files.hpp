@@ -12,6 +12,7 @@
 #include <cover/attribute.hpp>
 #include <cover/options.hpp>
 #include <cover/output.hpp>
+#include <cover/regions.hpp>
 #include <cover/result.hpp>
 #include <cover/stream_mesh.hpp>
 #include <cover/write_options.hpp>
@@ -67,6 +68,10 @@ class OutputFiles {
   /// What is lost of the mesh itself, a sentence each: digits of coordinates that a file cannot
   /// hold, and named lines that --no-inner-lines leaves out and that stand in no manifest.
   [[nodiscard]] std::vector<std::string> warnings_of(const Output& output) const;
+
+  /// What is lost of the named regions of a mesh that is converted: those of one name and material
+  /// are one set of an .inp, and no manifest tells them apart. Empty: nothing.
+  [[nodiscard]] std::string regions_joined(const RegionTable& table) const;
 
   /// Writes all files in turn; the log tells of each, and so does a line on stderr, if it is shown.
   ///

@@ -50,7 +50,7 @@ constexpr WriteOptionEntry kWriteTable[] = {
         .name = "ids", .placeholder = "WHAT",
         .word_list = {"region", "material", "name"},
         .help = "Numbers of triangles for solvers: region, material or name; unless given, "
-                "name in .msh, else material",
+                "name in .msh and .inp, else material",
         .counts_with = ".vtkhdf, .vtk, .msh, .xdmf, .mesh, .inp, .ele, .json"}),
     named<&WriteOptions::inp_element>({
         .name = "inp-element", .placeholder = "KIND",
