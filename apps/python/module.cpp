@@ -134,9 +134,10 @@ PyMesh mesh_file(const std::string& path, py::dict keywords, const py::object& p
   if (keywords.contains("threads"))
     options.threads =
         options_from(py::dict(py::arg("threads") = keywords["threads"])).options.threads;
-  Callables nothing;  // what is pressed meanwhile counts once the file is read
-  Input input =
-      run(nothing, [&, &chosen = options] { return reading::read_geometry(path, chosen); });
+  Callables nothing;  // Ctrl-C ends a program that reads the file; else it counts once that is read
+  Input input = run(nothing, [&, &chosen = options] {
+    return reading::read_geometry(path, chosen, nothing.token());
+  });
   const std::vector<std::string> idle = idle_read_options(given, options, path);
   input.warnings.insert(input.warnings.end(), idle.begin(), idle.end());
   return mesh_input(std::move(input), keywords, progress, describe_read_options(options));

@@ -595,6 +595,40 @@ class Running(unittest.TestCase):
         self.assertRegex(done.stdout, r'^interrupted after \S+\nand on\n$')
         self.assertLess(float(done.stdout.split()[2]), 5)
 
+    def test_ctrl_c_while_klayout_reads(self):
+        """KLayout's converter is ended with what waits for it."""
+        with tempfile.TemporaryDirectory() as folder:
+            tools = pathlib.Path(folder)
+            (tools / 'a.oas').write_text('%SEMI-OASIS')
+            (tools / 'strm2gds').write_text('#!/bin/sh\necho $$ >begun.tmp\n/bin/mv begun.tmp begun\nexec /bin/sleep 50\n')
+            (tools / 'strm2gds').chmod(0o755)
+            program = textwrap.dedent('''
+                import os, pathlib, signal, threading, time
+                import cover
+                def interrupt():
+                    while not pathlib.Path('begun').exists():
+                        time.sleep(0.01)
+                    sent.append(time.monotonic())
+                    os.kill(os.getpid(), signal.SIGINT)
+                sent = []
+                threading.Thread(target=interrupt).start()
+                try:
+                    cover.mesh_file('a.oas')
+                except KeyboardInterrupt:
+                    print(time.monotonic() - sent[0])
+                try:
+                    os.kill(int(pathlib.Path('begun').read_text()), 0)
+                except ProcessLookupError:
+                    print('gone')
+                ''')
+            done = subprocess.run([sys.executable, '-c', program], cwd=folder, text=True, timeout=100,
+                                  env={**os.environ, 'PATH': folder, 'TMPDIR': folder},
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertRegex(done.stdout, r'^\S+\ngone\n$')
+            self.assertLess(float(done.stdout.split()[0]), 1)
+            self.assertEqual(list(tools.glob('.cover-oasis*')), [])
+
     def test_other_threads_go_on(self):
         ticks, done = [], threading.Event()
 
