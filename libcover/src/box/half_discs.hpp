@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include <cover/point.hpp>
+
 #include "cdt/cdt.hpp"
 
 namespace cover {
