@@ -412,6 +412,15 @@ LOOKUP_TABLE default
         _, err = self.run_cover('mesh', 'c.json', '-o', 'd.vtu', '--size-at', 'anod=0.1', code=2)
         self.assertIn("did you mean 'anode'?", err)
 
+    def test_at_interfaces_in_either_order(self):
+        squares = [(0, 'a'), (1, 'b'), (5, 'b'), (6, 'a')]
+        self.write('p.json', json.dumps({'polygons': [
+            {'material': name, 'rings': [[[x, 0], [x + 1, 0], [x + 1, 1], [x, 1]]]} for x, name in squares]}))
+        counts = [self.triangles('p.json', '--split-interfaces', '--size-at', f'{name}=0.1') for name in ('a_b', 'b_a')]
+        self.assertEqual(counts[0], counts[1])
+        regions = json.loads((self.dir / 'd.json').read_text())['regions']
+        self.assertGreater(min(region['triangles'] for region in regions), 20)
+
     def pieces_of(self, line, *words):
         """The lengths of a line's edges."""
         self.run_cover('mesh', *words, '-o', 'p.mesh', '-o', 'p.json', '-q')

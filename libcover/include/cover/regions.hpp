@@ -101,7 +101,8 @@ struct RegionTable {
 std::vector<RegionId> named_regions(const RegionTable& table, std::string_view name);
 
 /// The segments of the interface, contact, outline or inner line called `name`; where there is
-/// none, those with this boundary marker, "7" or "marker 7". In order.
+/// none, those of interfaces between two regions whose names make it, in either order; else those
+/// with this boundary marker, "7" or "marker 7". In order.
 std::vector<SegmentId> named_segments(const Pslg& pslg, const RegionTable& table,
                                       std::string_view name);
 

@@ -4,11 +4,15 @@
 #include "region/interfaces.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -137,7 +141,7 @@ InterfaceKind kind_of(const Key& key) {
   return key.left == key.right ? InterfaceKind::slit : InterfaceKind::interface;
 }
 
-/// Of a line without a name of its own.
+/// Of a line without a name of its own. Of an interface it is that of the left region first.
 std::string made_name(const RegionTable& table, const Key& key) {
   const std::string& left = table.region(key.left).name;
   switch (kind_of(key)) {
@@ -150,6 +154,35 @@ std::string made_name(const RegionTable& table, const Key& key) {
   }
 }
 
+/// Turns lines between regions of two names, of which each may be the left one, all alike: as the
+/// first of them lies.
+class SharedNames {
+ public:
+  explicit SharedNames(const RegionTable& table) : first_(table.regions.size()) {
+    std::unordered_map<std::string_view, std::uint32_t> first;
+    for (std::uint32_t r = 0; r < first_.size(); ++r) {
+      const auto [known, is_new] = first.emplace(table.regions[r].name, r);
+      first_[r] = known->second;
+      are_any_ |= !is_new;
+    }
+  }
+
+  Key turned(Key key) {
+    if (!are_any_ || kind_of(key) != InterfaceKind::interface) return key;
+    const std::uint64_t left = first_[place_of(key.left)], right = first_[place_of(key.right)];
+    if (pairs_.contains(right << 32 | left))
+      std::swap(key.left, key.right);
+    else
+      pairs_.insert(left << 32 | right);
+    return key;
+  }
+
+ private:
+  std::vector<std::uint32_t> first_;  ///< by region: the first of that name
+  bool are_any_ = false;
+  std::unordered_set<std::uint64_t> pairs_;  ///< of names, the left one above
+};
+
 /// Names lines. A name that the input gives is no other line's, as solvers put electrodes on it: a
 /// made one gives way, to what is no made name of another line either.
 class Namer {
@@ -158,14 +191,20 @@ class Namer {
 
   /// REQUIRES: all outlive this
   Namer(const Pslg& pslg, const RegionTable& table, const Keyed& keyed)
-      : pslg_(pslg), table_(table), keyed_(keyed), given_(pslg.names.begin(), pslg.names.end()) {}
+      : pslg_(pslg),
+        table_(table),
+        keyed_(keyed),
+        shared_(table),
+        given_(pslg.names.begin(), pslg.names.end()) {}
 
   std::string name_of(const Key& key) {
     if (kind_of(key) == InterfaceKind::contact) return pslg_.names[key.name];
-    std::string made = made_name(table_, key);
+    std::string made = made_name(table_, shared_.turned(key));
     if (!given_.contains(made)) return made;
+    const auto [way, is_new] = ways_given_.try_emplace(made);
+    std::string& name = way->second;
+    if (!is_new) return name;
     if (made_.empty()) collect_made();
-    std::string name;
     for (int k = 2; name.empty() || given_.contains(name) || !made_.insert(name).second; ++k)
       name = fmt::format("{}_{}", made, k);
     return name;
@@ -181,8 +220,10 @@ class Namer {
   const Pslg& pslg_;
   const RegionTable& table_;
   const Keyed& keyed_;
+  SharedNames shared_;
   std::set<std::string_view> given_;
-  std::set<std::string> made_;  ///< empty until one is to give way
+  std::set<std::string> made_;                     ///< empty until one is to give way
+  std::map<std::string, std::string> ways_given_;  ///< by made name: what it gave way to
 };
 
 }  // namespace

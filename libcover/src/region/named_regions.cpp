@@ -26,6 +26,27 @@ std::vector<RegionId> regions_where(const RegionTable& table, Test test) {
   return found;
 }
 
+/// Whether `name` is made of the names of the regions beside `line`, in either order.
+bool is_of_both(const RegionTable& table, const Interface& line, std::string_view name) {
+  if (line.kind != InterfaceKind::interface) return false;
+  const std::string &left = table.region(line.left).name, &right = table.region(line.right).name;
+  const auto is_made_of = [&](const std::string& first, const std::string& second) {
+    return name.size() == first.size() + 1 + second.size() && name.starts_with(first) &&
+           name[first.size()] == '_' && name.ends_with(second);
+  };
+  return is_made_of(left, right) || is_made_of(right, left);
+}
+
+/// The segments of the lines that pass the test.
+template <class Test>
+std::vector<SegmentId> segments_where(const RegionTable& table, Test test) {
+  std::vector<SegmentId> found;
+  for (const Interface& line : table.interfaces) {
+    if (test(line)) found.insert(found.end(), line.segments.begin(), line.segments.end());
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<RegionId> named_regions(const RegionTable& table, std::string_view name) {
@@ -43,10 +64,11 @@ std::vector<RegionId> named_regions(const RegionTable& table, std::string_view n
 
 std::vector<SegmentId> named_segments(const Pslg& pslg, const RegionTable& table,
                                       std::string_view name) {
-  std::vector<SegmentId> found;
-  for (const Interface& part : table.interfaces) {
-    if (part.name == name) found.insert(found.end(), part.segments.begin(), part.segments.end());
-  }
+  std::vector<SegmentId> found =
+      segments_where(table, [&](const Interface& line) { return line.name == name; });
+  if (found.empty())
+    found =
+        segments_where(table, [&](const Interface& line) { return is_of_both(table, line, name); });
   if (found.empty()) {
     if (name.starts_with(kByMarker)) name.remove_prefix(kByMarker.size());
     const auto marker = parse_number<int>(name);

@@ -55,6 +55,7 @@ TEST(NamedSegments, LinesOrElseMarkers) {
     pslg.segments.back().marker = marker;
   }
   lines.interfaces.resize(3);
+  for (Interface& line : lines.interfaces) line.kind = InterfaceKind::contact;
   lines.interfaces[0].name = "left";
   lines.interfaces[0].segments = {SegmentId{3}, SegmentId{0}};
   lines.interfaces[1].name = "8";
@@ -69,6 +70,31 @@ TEST(NamedSegments, LinesOrElseMarkers) {
   EXPECT_EQ(named_segments(pslg, lines, "8"), Segments{SegmentId{2}});
   EXPECT_EQ(named_segments(pslg, lines, "marker 8"), Segments{SegmentId{1}});
   for (const char* none : {"0", "marker 0", "6", "7x", "marker", "marker 7 ", ""})
+    EXPECT_EQ(named_segments(pslg, lines, none), Segments{}) << none;
+}
+
+/// As drawings number regions, any of two may be the left one.
+TEST(NamedSegments, InterfacesInEitherOrder) {
+  Pslg pslg;
+  pslg.segments.resize(4);
+  RegionTable lines = table();
+  lines.interfaces.resize(4);
+  for (std::size_t k = 0; k < 4; ++k) {
+    lines.interfaces[k].left = RegionId{k + 1};
+    lines.interfaces[k].right = RegionId{k == 2 ? 0 : k < 2 ? k + 2 : 1};
+    lines.interfaces[k].segments = {SegmentId{k}};
+  }
+  lines.interfaces[0].name = "gate_drain";
+  lines.interfaces[1].name = "drain_source_2";  // as a contact has the other name
+  lines.interfaces[2].name = "source_outline";
+  lines.interfaces[2].kind = InterfaceKind::outline;
+  lines.regions[3].name = "drain";  // to the left of another gate
+  lines.interfaces[3].name = "gate_drain";
+  using Segments = std::vector<SegmentId>;
+  EXPECT_EQ(named_segments(pslg, lines, "gate_drain"), (Segments{SegmentId{0}, SegmentId{3}}));
+  EXPECT_EQ(named_segments(pslg, lines, "drain_gate"), (Segments{SegmentId{0}, SegmentId{3}}));
+  EXPECT_EQ(named_segments(pslg, lines, "source_drain"), Segments{SegmentId{1}});
+  for (const char* none : {"gate_gate", "drain_gat", "_gate", "drain_", "outline_source"})
     EXPECT_EQ(named_segments(pslg, lines, none), Segments{}) << none;
 }
 

@@ -222,6 +222,42 @@ TEST(BuildRegionTable, MadeNamesThatGiveWayAreNoOtherLinesEither) {
   EXPECT_TRUE(names.contains("a_b") && names.contains("a_b_2") && names.contains("a_b_3"));
 }
 
+/// Two pairs of touching squares: a beside b, and further right b beside a.
+Input two_pairs() {
+  Input input;
+  for (const double x : {0.0, 1.0, 5.0, 6.0})
+    add_loop(input, {{x, 0}, {x + 1, 0}, {x + 1, 1}, {x, 1}});
+  input.seeds = {seed({0.5, 0.5}, "a", 1), seed({1.5, 0.5}, "b", 2), seed({5.5, 0.5}, "b", 3),
+                 seed({6.5, 0.5}, "a", 4)};
+  return input;
+}
+
+std::vector<std::string> names_of_interfaces(const RegionTable& table) {
+  std::vector<std::string> names;
+  for (const Interface& line : table.interfaces) {
+    if (line.kind == InterfaceKind::interface) names.push_back(line.name);
+  }
+  return names;
+}
+
+TEST(BuildRegionTable, InterfacesOfTheSameTwoNamesHaveOne) {
+  using Names = std::vector<std::string>;
+  Input input = two_pairs();
+  auto found = find(input);
+  ASSERT_TRUE(found) << found.error().message;
+  EXPECT_EQ(names_of_interfaces(found->table), (Names{"a_b", "a_b"}));
+  // The first gives it.
+  for (std::size_t k : {0U, 1U}) std::swap(input.seeds[2 * k], input.seeds[2 * k + 1]);
+  found = find(input);
+  ASSERT_TRUE(found) << found.error().message;
+  EXPECT_EQ(names_of_interfaces(found->table), (Names{"b_a", "b_a"}));
+  // And both give way alike.
+  input.segments[0].name = "b_a";
+  found = find(input);
+  ASSERT_TRUE(found) << found.error().message;
+  EXPECT_EQ(names_of_interfaces(found->table), (Names{"b_a_2", "b_a_2"}));
+}
+
 TEST(BuildRegionTable, OrdersAnInterfaceAlongItsChain) {
   const Input input = testing::shuffled(testing::input_of(testing::regular_polygon(50)), 3);
   const auto found = find(input);
