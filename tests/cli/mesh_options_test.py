@@ -421,6 +421,14 @@ LOOKUP_TABLE default
         regions = json.loads((self.dir / 'd.json').read_text())['regions']
         self.assertGreater(min(region['triangles'] for region in regions), 20)
 
+    def test_a_line_in_the_void_is_no_unknown_name(self):
+        corners = [[0, 0], [1, 0], [1, 1], [0, 1], [3, 0], [3, 1]]
+        self.write('v.json', json.dumps({'points': corners, 'segments': [[0, 1], [2, 3], {'points': [3, 0], 'name': 'left'}, [1, 2],
+                                         {'points': [4, 5], 'name': 'probe'}]}))
+        for words in (['--size-at', 'probe=0.1'], ['--layers', 'probe=0.01,1.2,3'], ['--periodic', 'left=probe']):
+            _, err = self.run_cover('mesh', 'v.json', '-o', 'd.vtu', *words, code=2)
+            self.assertIn("the line 'probe' touches no region that is meshed: it lies in the void, first from (3, 0) to (3, 1)", err)
+
     def pieces_of(self, line, *words):
         """The lengths of a line's edges."""
         self.run_cover('mesh', *words, '-o', 'p.mesh', '-o', 'p.json', '-q')

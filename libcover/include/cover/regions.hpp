@@ -106,6 +106,10 @@ std::vector<RegionId> named_regions(const RegionTable& table, std::string_view n
 std::vector<SegmentId> named_segments(const Pslg& pslg, const RegionTable& table,
                                       std::string_view name);
 
+/// Why named_segments() finds nothing although the input has a line of that name: "the line 'gate'
+/// touches no region that is meshed: ..."; empty where it has none.
+std::string line_in_void(const Pslg& pslg, std::string_view name);
+
 /// bad_option: there is no region of that name; "`what`: ..." and the nearest name that there is.
 Error no_such_region(const RegionTable& table, const std::string& what, const std::string& name);
 

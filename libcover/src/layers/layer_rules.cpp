@@ -27,9 +27,11 @@ Error bad_layers(const LayerRule& rule, const std::string& what, std::vector<Poi
           {}};
 }
 
-Error no_such_line(const LayerRule& rule, const RegionTable& table) {
+Error no_such_line(const LayerRule& rule, const Pslg& pslg, const RegionTable& table) {
   std::vector<std::string> names;
   for (const Interface& line : table.interfaces) names.push_back(line.name);
+  const std::string in_void = line_in_void(pslg, rule.line);
+  if (!in_void.empty()) return bad_layers(rule, in_void);
   return bad_layers(
       rule, "there is no interface, contact, outline, inner line or boundary marker of that name" +
                 did_you_mean(rule.line, names));
@@ -83,7 +85,7 @@ class Resolver {
       return wanted.empty() || std::find(wanted.begin(), wanted.end(), region) != wanted.end();
     };
     const std::vector<SegmentId> line = named_segments(pslg_, table_, rule.line);
-    if (line.empty()) return no_such_line(rule, table_);
+    if (line.empty()) return no_such_line(rule, pslg_, table_);
     for (const SegmentId s : line) {
       const SegmentSides& sides = table_.sides[s.index()];
       if (is_wanted(sides.left)) mark(s, 0, sides.left, number, beside);

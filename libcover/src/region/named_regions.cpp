@@ -79,6 +79,17 @@ std::vector<SegmentId> named_segments(const Pslg& pslg, const RegionTable& table
   return found;
 }
 
+std::string line_in_void(const Pslg& pslg, std::string_view name) {
+  const auto line = std::find_if(pslg.segments.begin(), pslg.segments.end(), [&](const Segment& s) {
+    return s.name != 0 && pslg.names[s.name] == name;
+  });
+  if (line == pslg.segments.end()) return "";
+  return fmt::format(
+      "the line '{}' touches no region that is meshed: it lies in the void, first "
+      "from {} to {}",
+      name, describe(pslg.points[line->a.index()]), describe(pslg.points[line->b.index()]));
+}
+
 Error no_such_region(const RegionTable& table, const std::string& what, const std::string& name) {
   std::vector<std::string> names;
   for (const Region& region : table.regions) {

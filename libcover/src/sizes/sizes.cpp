@@ -84,7 +84,7 @@ bool at_points(const SizeRule& rule, const Pslg& pslg, const RegionTable& table,
   return !segments.empty();
 }
 
-Error unknown_name(const SizeRule& rule, const RegionTable& table) {
+Error unknown_name(const SizeRule& rule, const Pslg& pslg, const RegionTable& table) {
   std::vector<std::string> names;
   for (const Interface& line : table.interfaces) names.push_back(line.name);
   if (!rule.at) {
@@ -93,11 +93,14 @@ Error unknown_name(const SizeRule& rule, const RegionTable& table) {
       error.message += "; an interface or contact has it: ask for a size at that (--size-at)";
     return error;
   }
+  const std::string in_void = line_in_void(pslg, rule.name);
   return {
       ErrorCode::bad_option,
-      fmt::format(
-          "size for '{}': there is no interface, contact, point or boundary marker of that name{}",
-          rule.name, did_you_mean(rule.name, names)),
+      fmt::format("size for '{}': {}", rule.name,
+                  in_void.empty() ? "there is no interface, contact, point or boundary marker of "
+                                    "that name" +
+                                        did_you_mean(rule.name, names)
+                                  : in_void),
       {},
       {}};
 }
@@ -184,7 +187,7 @@ Status resolve_sizes(const Pslg& pslg, const RegionTable& table, const Options& 
   for (const SizeRule& rule : options.sizes) {
     const bool found = rule.at ? at_points(rule, pslg, table, size_at, size_along)
                                : inside(rule, table, boundaries);
-    if (!found) return unknown_name(rule, table);
+    if (!found) return unknown_name(rule, pslg, table);
   }
   const double grid = kGrid * box_of(pslg.points).diagonal();
   for (RegionBoundary& boundary : boundaries) {

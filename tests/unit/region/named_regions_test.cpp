@@ -98,6 +98,18 @@ TEST(NamedSegments, InterfacesInEitherOrder) {
     EXPECT_EQ(named_segments(pslg, lines, none), Segments{}) << none;
 }
 
+TEST(LineInVoid, TellsWhereItLies) {
+  Pslg pslg;
+  pslg.points = {{0, 0}, {1, 0}, {1, 1}};
+  pslg.names = {"", "gate"};
+  pslg.segments = {{VertexId{0}, VertexId{1}, 0, 0}, {VertexId{1}, VertexId{2}, 0, 1}};
+  EXPECT_EQ(line_in_void(pslg, "gate"),
+            "the line 'gate' touches no region that is meshed: it lies in the void, first from "
+            "(1, 0) to (1, 1)");
+  EXPECT_EQ(line_in_void(pslg, "gat"), "");
+  EXPECT_EQ(line_in_void(pslg, ""), "");
+}
+
 TEST(NamedRegions, TheErrorNamesTheNearest) {
   const Error error = no_such_region(table(), "only", "gaet");
   EXPECT_EQ(error.code, ErrorCode::bad_option);

@@ -59,9 +59,12 @@ class PointFinder {
   std::vector<std::pair<double, VertexId>> at_;
 };
 
-Error unknown_line(const RegionTable& table, const PeriodicRule& rule, const std::string& name) {
+Error unknown_line(const Pslg& pslg, const RegionTable& table, const PeriodicRule& rule,
+                   const std::string& name) {
   std::vector<std::string> names;
   for (const Interface& line : table.interfaces) names.push_back(line.name);
+  const std::string in_void = line_in_void(pslg, name);
+  if (!in_void.empty()) return periodic_error(rule, in_void);
   return periodic_error(
       rule, fmt::format("there is no interface, contact, outline or marker '{}'{}", name,
                         did_you_mean(name, names)));
@@ -281,8 +284,8 @@ std::optional<Error> unmatched(const Pslg& pslg, const PeriodicRule& rule,
 Result<SidesMatch> match_sides(const Pslg& pslg, const RegionTable& table, const PeriodicRule& rule,
                                double tolerance) {
   NamedLine from = find_line(pslg, table, rule.from), to = find_line(pslg, table, rule.to);
-  if (from.segments.empty()) return unknown_line(table, rule, rule.from);
-  if (to.segments.empty()) return unknown_line(table, rule, rule.to);
+  if (from.segments.empty()) return unknown_line(pslg, table, rule, rule.from);
+  if (to.segments.empty()) return unknown_line(pslg, table, rule, rule.to);
   std::vector<SegmentId> both;
   std::set_intersection(from.segments.begin(), from.segments.end(), to.segments.begin(),
                         to.segments.end(), std::back_inserter(both));
