@@ -412,6 +412,17 @@ LOOKUP_TABLE default
         _, err = self.run_cover('mesh', 'c.json', '-o', 'd.vtu', '--size-at', 'anod=0.1', code=2)
         self.assertIn("did you mean 'anode'?", err)
 
+    def test_at_a_point_of_a_map_by_its_name(self):
+        def feature(kind, coordinates, **properties):
+            return {'type': 'Feature', 'properties': properties, 'geometry': {'type': kind, 'coordinates': coordinates}}
+        self.write('m.geojson', json.dumps({'type': 'FeatureCollection', 'features': [
+            feature('Polygon', [[[0, 0], [900, 0], [900, 900], [0, 900], [0, 0]]], name='field'),
+            feature('Point', [400, 300], name='well1')]}))
+        plain = self.triangles('m.geojson')
+        self.assertGreater(self.triangles('m.geojson', '--split-interfaces', '--size-at', 'well1=5'), 4 * plain)
+        _, err = self.run_cover('mesh', 'm.geojson', '-o', 'd.vtu', '--size-at', 'well=5', code=2)
+        self.assertIn("did you mean 'well1'?", err)
+
     def test_at_interfaces_in_either_order(self):
         squares = [(0, 'a'), (1, 'b'), (5, 'b'), (6, 'a')]
         self.write('p.json', json.dumps({'polygons': [

@@ -67,6 +67,12 @@ struct InputLine {
   std::vector<std::uint32_t> circles{};  ///< by point, as in InputPolygon; may be left out
 };
 
+/// A point that the input calls by a name, such as a well of a map. Several may have one name.
+struct PointName {
+  std::uint32_t point = 0;  ///< index into Input::points
+  std::string name;         ///< not empty
+};
+
 /// Which bounded faces of a PSLG are void.
 enum class VoidRule {
   holes_only,      ///< what a hole seed or the outside reaches (.poly)
@@ -108,6 +114,7 @@ struct Input {
   /// file has it; empty: not said.
   std::string system{};
   std::vector<AskedName> asked{};  ///< filled where ReadOptions::is_one_of_several
+  std::vector<PointName> point_names{};
 };
 
 }  // namespace cover

@@ -25,6 +25,12 @@ struct Segment {
   std::uint32_t circle = 0;  ///< index into Pslg::circles plus one; 0: a straight line
 };
 
+/// A point that the input calls by a name. Several may have one name, and one may have several.
+struct NamedPoint {
+  VertexId vertex;
+  std::string name;
+};
+
 /// Points and segments that meet only at points. Made by prepare() alone.
 struct Pslg {
   std::vector<Point> points;           ///< by VertexId; all different
@@ -43,6 +49,7 @@ struct Pslg {
   std::vector<SegmentPair> periodic;  ///< segments that are images of each other
   std::vector<Isometry> isometries;   ///< of `periodic`, one for each rule
   std::string source;                 ///< file name for messages
+  std::vector<NamedPoint> named_points{};
 };
 
 }  // namespace cover

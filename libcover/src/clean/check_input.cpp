@@ -53,6 +53,12 @@ class InputChecker {
     check_length(input_.point_ids.size(), n, "point_ids", "points");
     check_length(input_.point_lines.size(), n, "point_lines", "points");
     check_length(input_.point_markers.size(), n, "point_markers", "points");
+    for (const PointName& name : input_.point_names) {
+      if (name.point < n) continue;
+      indices_.add(fmt::format("the name '{}' is of point {}, which is not there",
+                               printable(name.name), name.point),
+                   {}, {});
+    }
   }
 
   /// Features that all attributes have.

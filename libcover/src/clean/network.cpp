@@ -79,6 +79,8 @@ class Gatherer {
       if (!is_end[k]) add_point(k);
     }
     for (std::uint32_t v = ends; v < network_.input.size(); ++v) network_.lone.push_back(v);
+    for (const PointName& name : input_.point_names)
+      network_.named.push_back(pool_.index_of(input_.points[name.point]));
   }
 
   void add_point(std::uint32_t k) {

@@ -56,9 +56,10 @@ class PointPool {
 /// All lines of an input. The strands of a ring are closed: at every point an even number of them
 /// ends. Every step keeps that, so even-odd always says what a polygon covers.
 struct Network {
-  std::vector<Point> points;         ///< all different; each is the end of a strand, or lone
+  std::vector<Point> points;         ///< all different; each is the end of a strand, lone or named
   std::vector<std::uint32_t> input;  ///< by point: index into Input::points, or kNone
   std::vector<std::uint32_t> lone;   ///< points that stay whether a strand ends at them or not
+  std::vector<std::uint32_t> named;  ///< those of Input::point_names, which stay as well
   std::vector<Raw> raws;
   std::vector<Strand> strands;  ///< none of length zero
 };

@@ -184,7 +184,8 @@ EdgeGraph node_edges(Network& network, bool may_be_clean, const Team& team) {
 void compact(Network& network) {
   std::vector<std::uint32_t> renumbered(network.points.size(), kNone);
   for (const Strand& s : network.strands) renumbered[s.a] = renumbered[s.b] = 0;
-  for (const std::uint32_t v : network.lone) renumbered[v] = 0;
+  for (const auto* kept : {&network.lone, &network.named})
+    for (const std::uint32_t v : *kept) renumbered[v] = 0;
   std::uint32_t count = 0;
   for (std::uint32_t v = 0; v < renumbered.size(); ++v) {
     if (renumbered[v] == kNone) continue;
@@ -195,7 +196,8 @@ void compact(Network& network) {
   network.points.resize(count);
   network.input.resize(count);
   for (Strand& s : network.strands) s = {renumbered[s.a], renumbered[s.b], s.raw};
-  for (std::uint32_t& v : network.lone) v = renumbered[v];
+  for (auto* kept : {&network.lone, &network.named})
+    for (std::uint32_t& v : *kept) v = renumbered[v];
 }
 
 }  // namespace cover

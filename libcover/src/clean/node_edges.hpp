@@ -100,7 +100,7 @@ EdgeGraph index_edges(Network& network);
 /// Where it is known that strands meet inside, `may_be_clean` saves the test.
 EdgeGraph node_edges(Network& network, bool may_be_clean = true, const Team& team = {});
 
-/// Leaves out the points that no strand ends at and that are not lone.
+/// Leaves out the points that no strand ends at and that are neither lone nor named.
 void compact(Network& network);
 
 }  // namespace cover

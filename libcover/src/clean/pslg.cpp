@@ -49,6 +49,8 @@ void take_over_points(const Input& input, Pslg& pslg) {
   }
   pslg.point_markers = input.point_markers;
   pslg.point_markers.resize(input.points.size());
+  for (const PointName& name : input.point_names)
+    pslg.named_points.push_back({VertexId{name.point}, name.name});
 }
 
 void take_over_segments(const Input& input, Pslg& pslg) {

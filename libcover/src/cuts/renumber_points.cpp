@@ -20,6 +20,7 @@ void renumber_points(Pslg& pslg, RegionTable& table, std::span<const VertexId> n
   permute(pslg.point_ids, new_ids);
   permute(pslg.point_markers, new_ids);
   const auto renumber = [&](VertexId& v) { v = new_ids[v.index()]; };
+  for (NamedPoint& point : pslg.named_points) renumber(point.vertex);
   for (Segment& s : pslg.segments) {
     renumber(s.a);
     renumber(s.b);

@@ -64,6 +64,8 @@ United unite_pieces(Pslg& pslg, RegionTable& table, std::size_t first) {
   }
   for (Interface& line : table.interfaces) unite(line.segments, whole);
   unite(table.void_segments, whole);
+  for (NamedPoint& point : pslg.named_points)  // those of the input stay
+    point.vertex = VertexId{number[point.vertex.index()]};
   pslg.segments = std::move(segments);
   pslg.side_seeds = std::move(seeds);
   table.sides = std::move(sides);

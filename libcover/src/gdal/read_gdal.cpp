@@ -376,7 +376,12 @@ class MapReader {
   void add_point(OGRGeometryH point) {
     if (gdal_.OGR_G_IsEmpty(point) != 0) return;
     if (words_.size) left_out_.add_size_of_point();
-    for (const Point p : points_of(point)) input_.points.push_back(p);
+    for (const Point p : points_of(point)) {
+      if (!words_.name.empty())
+        input_.point_names.push_back(
+            {static_cast<std::uint32_t>(input_.points.size()), words_.name});
+      input_.points.push_back(p);
+    }
   }
 
   void tell() {

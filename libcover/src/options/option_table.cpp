@@ -118,9 +118,10 @@ constexpr OptionEntry kTable[] = {
     sizes<true>({
         .name = "size-at", .placeholder = "NAME=h",
         .help = "Edge length at an interface, a contact or a point (NAME=h)",
-        .more = "A point is called by its number in the input, or a boundary marker (\"marker 7\", "
-                "\"7\" where no point is). Beside segments that are longer "
-                "than asked, triangles are larger."}),
+        .more = "An interface is called by both of its regions, in either order, a point by its "
+                "name, as in maps, or its number in the input; a boundary marker too (\"marker 7\", "
+                "\"7\" where no point is). Beside segments that are longer than asked, triangles are "
+                "larger."}),
     flag<&Options::input_sizes, false>({
         .name = "no-input-sizes",
         .help = "Leave out the sizes that regions have in the input (.poly: largest areas)",

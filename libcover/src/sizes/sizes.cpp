@@ -65,11 +65,19 @@ Result<SizeFunction> function_of(const std::string& expression, std::optional<do
   });
 }
 
-/// Sets the sizes at PSLG points. False if no line, point or boundary marker has that name.
+/// Sets the sizes at PSLG points: at all that have the name, else at the point of that number, else
+/// along a boundary marker. False if there is none.
 bool at_points(const SizeRule& rule, const Pslg& pslg, const RegionTable& table,
                std::vector<double>& size_at, std::vector<double>& size_along) {
   const bool is_line = std::any_of(table.interfaces.begin(), table.interfaces.end(),
                                    [&](const Interface& line) { return line.name == rule.name; });
+  bool is_point = false;
+  for (const NamedPoint& point : pslg.named_points) {
+    if (point.name != rule.name) continue;
+    make_smaller(size_at[point.vertex.index()], rule.size);
+    is_point = true;
+  }
+  if (is_point && !is_line) return true;
   for (std::size_t v = 0; v < pslg.points.size() && !is_line; ++v) {
     if (pslg.point_ids[v] < 0 || std::to_string(pslg.point_ids[v]) != rule.name) continue;
     make_smaller(size_at[v], rule.size);
@@ -93,6 +101,7 @@ Error unknown_name(const SizeRule& rule, const Pslg& pslg, const RegionTable& ta
       error.message += "; an interface or contact has it: ask for a size at that (--size-at)";
     return error;
   }
+  for (const NamedPoint& point : pslg.named_points) names.push_back(point.name);
   const std::string in_void = line_in_void(pslg, rule.name);
   return {
       ErrorCode::bad_option,

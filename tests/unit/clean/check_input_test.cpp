@@ -94,6 +94,14 @@ TEST(CheckInput, ArraysByPointAreAsLongAsThePoints) {
   }
 }
 
+TEST(CheckInput, NamesAreThoseOfPoints) {
+  Input input = seeded_square();
+  input.point_names = {{3, "corner"}, {4, "well"}};
+  expect_error(input, ErrorCode::id_out_of_range, "the name 'well' is of point 4, which is not");
+  input.point_names.pop_back();
+  EXPECT_TRUE(cover_mesh(input));
+}
+
 TEST(CheckInput, FeaturesHaveTheirAttributes) {
   Input input = seeded_square(), painted = painted_square();
   input.seeds[0].feature = painted.polygons[0].feature = 9;

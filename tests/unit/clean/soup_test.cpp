@@ -564,6 +564,22 @@ TEST(Soup, KeepsContactsThroughEverything) {
   EXPECT_DOUBLE_EQ(probe, 2 * std::sqrt(2));
 }
 
+TEST(Soup, KeepsNamesOfPointsThroughEverything) {
+  Input input;
+  add_polygon(input, rectangle(0, 0, 4, 4), "Si");
+  add_polygon(input, rectangle(1, 3, 3, 5), "metal");
+  input.points = {{2, 3.5}, {1, 3}, {0.5, 0.5}, {2, 3.5}};
+  input.point_names = {{3, "spring"}, {0, "well"}, {1, "corner"}, {2, "well"}};
+  const auto out = clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  ASSERT_EQ(out->pslg.named_points.size(), 4U);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const NamedPoint& named = out->pslg.named_points[k];
+    EXPECT_EQ(named.name, input.point_names[k].name);
+    EXPECT_EQ(out->pslg.points[named.vertex.index()], input.points[input.point_names[k].point]);
+  }
+}
+
 TEST(Soup, WarnsOfContactsOnOneSegment) {
   Input input;
   add_polygon(input, rectangle(0, 0, 4, 4), "Si");

@@ -18,6 +18,8 @@ TEST(RenumberPoints, ChangesNothingButTheOrder) {
     input.point_ids.push_back(100 + static_cast<long>(v));
     input.point_markers.push_back(static_cast<int>(v % 3));
   }
+  input.point_names = {{static_cast<std::uint32_t>(input.points.size() - 1), "well"},
+                       {2, "corner"}};
   const Result<Prepared> before = prepare(input);
   ASSERT_TRUE(before) << before.error().message;
   Pslg pslg = before->pslg;
@@ -36,6 +38,9 @@ TEST(RenumberPoints, ChangesNothingButTheOrder) {
   EXPECT_EQ(pslg.points[table.void_points[0].index()], (Point{5, 5}));
   ASSERT_EQ(table.isolated_points.size(), 1U);
   EXPECT_EQ(pslg.points[table.isolated_points[0].vertex.index()], (Point{0.3, 0.2}));
+  ASSERT_EQ(pslg.named_points.size(), 2U);
+  EXPECT_EQ(pslg.points[pslg.named_points[0].vertex.index()], (Point{0.3, 0.2}));
+  EXPECT_EQ(pslg.points[pslg.named_points[1].vertex.index()], input.points[2]);
   // Regions in canonical order do not notice.
   const auto old = split_regions(before->pslg, before->table), now = split_regions(pslg, table);
   for (std::size_t r = 0; r < old.size(); ++r) {

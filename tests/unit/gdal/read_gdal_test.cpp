@@ -408,6 +408,9 @@ TEST_F(ReadGdal, KmlIsReadToo) {
   ASSERT_EQ(input.polygons.size(), 1U);
   EXPECT_EQ(input.polygons[0].material, "lake");
   EXPECT_EQ(input.points, (std::vector<Point>{{8, 49}}));
+  ASSERT_EQ(input.point_names.size(), 1U);
+  EXPECT_EQ(input.point_names[0].point, 0U);
+  EXPECT_EQ(input.point_names[0].name, "spot");
   EXPECT_EQ(input.warnings.size(), 1U);
 }
 

@@ -319,6 +319,39 @@ TEST(Sizes, AtAnInterfaceAContactAndAPoint) {
   EXPECT_EQ(at("11"), (Points{{1, 0}, {1, 0}}));
 }
 
+TEST(Sizes, AtPointsOfAName) {
+  Input input = two_rectangles();
+  input.segments[2].name = "both";  // from (3, 0) to (3, 1)
+  input.segments[0].marker = 7;
+  input.points.push_back({0.5, 0.5});
+  input.points.push_back({2, 0.5});
+  input.point_names = {{6, "well"}, {7, "well"}, {0, "both"}, {7, "7"}};
+  const Regions regions = regions_of(input);
+  const auto at = [&](const char* name) {
+    auto boundaries = split_regions(regions.pslg, regions.table);
+    Options options;
+    options.sizes = {{name, 0.125, true}};
+    EXPECT_TRUE(resolve_sizes(regions.pslg, regions.table, options, boundaries)) << name;
+    std::vector<Point> where;
+    for (const RegionBoundary& boundary : boundaries) {
+      for (std::size_t v = 0; v < boundary.size_at.size(); ++v)
+        if (boundary.size_at[v] != 0) where.push_back(boundary.points[v]);
+    }
+    std::sort(where.begin(), where.end());
+    return where;
+  };
+  using Points = std::vector<Point>;
+  EXPECT_EQ(at("well"), (Points{{0.5, 0.5}, {2, 0.5}}));
+  EXPECT_EQ(at("both"), (Points{{0, 0}, {3, 0}, {3, 1}}));
+  EXPECT_EQ(at("7"), (Points{{2, 0.5}}));  // neither the point of that number nor the marker
+  auto boundaries = split_regions(regions.pslg, regions.table);
+  Options options;
+  options.sizes = {{"wel", 0.125, true}};
+  const Status refused = resolve_sizes(regions.pslg, regions.table, options, boundaries);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message.find("did you mean 'well'?"), std::string::npos);
+}
+
 TEST(Sizes, LongSegmentsAreWarnedOfOnce) {
   const Regions regions = regions_of(two_rectangles());
   auto boundaries = split_regions(regions.pslg, regions.table);

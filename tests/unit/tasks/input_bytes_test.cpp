@@ -37,6 +37,7 @@ Input everything() {
   in.changes = {{Change::Kind::welded, "moved", {{1, 2}}, {{InputKind::segment, 3}}}};
   in.system = "EPSG:25832";
   in.asked = {{"material_field", "use", true, "none has it"}};
+  in.point_names = {{2, "well"}};
   return in;
 }
 
@@ -58,6 +59,9 @@ TEST(InputBytes, AllThatAnInputHasComesBack) {
   EXPECT_EQ(back->field->arrays[0].values, in.field->arrays[0].values);
   EXPECT_EQ(back->changes[0].where, in.changes[0].where);
   EXPECT_EQ(back->system, in.system);
+  ASSERT_EQ(back->point_names.size(), 1U);
+  EXPECT_EQ(back->point_names[0].point, 2U);
+  EXPECT_EQ(back->point_names[0].name, "well");
   EXPECT_EQ(back->asked[0].missing, "none has it");
   // All other members, too: what is made of it has the same bytes.
   EXPECT_EQ(bytes_of_input(*back), bytes);

@@ -304,7 +304,9 @@ class Welder {
     out.points = drawing_.points;
     out.input = drawing_.input;
     out.lone = drawing_.lone;
-    for (std::uint32_t& v : out.lone) v = target(v);
+    out.named = drawing_.named;
+    for (auto* kept : {&out.lone, &out.named})
+      for (std::uint32_t& v : *kept) v = target(v);
     for (const Strand& s : drawing_.strands) {
       std::uint32_t from = target(s.a);
       bends_[s.raw].push_back(s.b);

@@ -53,6 +53,8 @@ class Assembler {
       pslg_.point_markers.push_back(known && !input_.point_markers.empty() ? input_.point_markers[k]
                                                                            : 0);
     }
+    for (std::size_t k = 0; k < network_.named.size(); ++k)
+      pslg_.named_points.push_back({vertex_[network_.named[k]], input_.point_names[k].name});
   }
 
   /// The edges in the order of the lines that they belong to.

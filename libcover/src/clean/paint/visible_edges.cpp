@@ -104,6 +104,7 @@ Network network_of(const std::vector<VisibleEdge>& edges, const Network& network
   out.points = network.points;
   out.input = network.input;
   out.lone = network.lone;
+  out.named = network.named;
   const auto add = [&](const VisibleEdge& e, bool forwards, Raw raw) {
     out.strands.push_back(
         {forwards ? e.a : e.b, forwards ? e.b : e.a, static_cast<std::uint32_t>(out.raws.size())});

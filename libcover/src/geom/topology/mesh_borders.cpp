@@ -153,6 +153,8 @@ class BorderFinder {
       s.a = number[s.a];
       s.b = number[s.b];
     }
+    for (const PointName& name : mesh_.names)
+      input_.point_names.push_back({number[place_[name.point]], name.name});
   }
 
   void place_seeds() {

@@ -30,6 +30,7 @@ struct CellMesh {
   std::vector<std::string> materials;
   std::vector<Line> lines;
   std::vector<std::uint32_t> kept;  ///< points that must stay, on lines or not
+  std::vector<PointName> names;     ///< of kept points
 
   [[nodiscard]] std::size_t cells() const { return first.size() - 1; }
   void add_cell(const std::vector<std::uint32_t>& cell, std::uint32_t cell_material);

@@ -162,6 +162,8 @@ Status join(Input& all, Input more, std::size_t file) {
   append_by_point(all.point_markers, std::move(more.point_markers), before, count,
                   [](std::size_t) { return 0; });
   append(all.points, std::move(more.points));
+  for (PointName& name : more.point_names) name.point += static_cast<std::uint32_t>(before);
+  append(all.point_names, std::move(more.point_names));
   for (InputSegment& segment : more.segments) {
     segment.a += static_cast<std::uint32_t>(before);
     segment.b += static_cast<std::uint32_t>(before);

@@ -59,14 +59,20 @@ auto members(T& asked) {
   return std::tie(option, name, is_there, missing);
 }
 
+template <Either<PointName> T>
+auto members(T& name) {
+  auto& [point, words] = name;
+  return std::tie(point, words);
+}
+
 template <Either<Input> T>
 auto members(T& input) {
   auto& [source, unit, scale, warnings, points, point_ids, point_lines, point_markers, segments,
          holes, seeds, void_rule, polygons, lines, field, attributes, circles, periodic, layers,
-         changes, system, asked] = input;
+         changes, system, asked, point_names] = input;
   return std::tie(source, unit, scale, warnings, points, point_ids, point_lines, point_markers,
                   segments, holes, seeds, void_rule, polygons, lines, field, attributes, circles,
-                  periodic, layers, changes, system, asked);
+                  periodic, layers, changes, system, asked, point_names);
 }
 
 template <Either<ReadOptions> T>

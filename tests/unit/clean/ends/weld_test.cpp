@@ -250,9 +250,10 @@ TEST(Weld, UnitesCornersOnBothSidesOfALineThatMissesThem) {
 }
 
 TEST(Weld, BendsLinesToLonePointsThatMissThem) {
-  const Input input = testing::segments_between(
+  Input input = testing::segments_between(
       {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.3, 1e-12}, {1e-12, 0}, {1e6, 1e6}},
       {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
+  input.point_names = {{4, "beside"}, {5, "corner"}, {6, "far"}};
   Options weld;
   weld.weld = 1e-9;  // of the drawing, whatever points there are beside it
   const auto out = clean(input, weld);
@@ -262,6 +263,11 @@ TEST(Weld, BendsLinesToLonePointsThatMissThem) {
   EXPECT_TRUE(out->tells("was bent by"));
   EXPECT_TRUE(out->tells("was moved by"));
   EXPECT_TRUE(out->table.isolated_points.empty());
+  const auto& named = out->pslg.named_points;
+  ASSERT_EQ(named.size(), 3U);
+  EXPECT_EQ(out->pslg.points[named[0].vertex.index()], (Point{0.3, 1e-12}));
+  EXPECT_EQ(out->pslg.points[named[1].vertex.index()], (Point{0, 0}));  // onto which it was moved
+  EXPECT_EQ(out->pslg.points[named[2].vertex.index()], (Point{1e6, 1e6}));
 }
 
 TEST(Weld, DoesNotDependOnScaleOrOrder) {

@@ -73,6 +73,20 @@ TEST(JoinInputs, MadeUpMaterialsStayApart) {
   EXPECT_EQ(joined->source, "x.geojson, y.geojson, y.geojson and 1 more");
 }
 
+TEST(JoinInputs, NamesOfPointsStayWithThem) {
+  Input one = square(0, "a", "x"), other = square(1, "b", "y");
+  one.points = {{0.5, 0.5}};
+  other.points = {{1.25, 0.5}, {1.5, 0.5}};
+  one.point_names = {{0, "well"}};
+  other.point_names = {{1, "spring"}};
+  const Result<Input> joined = join_inputs({one, other});
+  ASSERT_TRUE(joined);
+  ASSERT_EQ(joined->point_names.size(), 2U);
+  EXPECT_EQ(joined->points[joined->point_names[0].point], (Point{0.5, 0.5}));
+  EXPECT_EQ(joined->point_names[1].name, "spring");
+  EXPECT_EQ(joined->points[joined->point_names[1].point], (Point{1.5, 0.5}));
+}
+
 TEST(JoinInputs, RefusesWhatDoesNotGoTogether) {
   Input metres = square(0, "a", "x"), other = square(1, "b", "y");
   other.unit = "nm";

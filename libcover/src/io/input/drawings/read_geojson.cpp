@@ -287,6 +287,9 @@ class GeoReader {
     if (json_.failed()) return;
     if (position.is_array() && position.empty()) return;  // the RFC: as null
     if (properties.size) left_out_.add_size_of_point();
+    if (!properties.name.empty())
+      input_.point_names.push_back(
+          {static_cast<std::uint32_t>(input_.points.size()), properties.name});
     input_.points.push_back(json_.point(position, true));
   }
 

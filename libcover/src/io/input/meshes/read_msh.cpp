@@ -53,9 +53,16 @@ class CellsOfMsh {
     const auto nodes = file_.nodes_of(element);
     const std::vector<std::uint32_t> corners(nodes.begin(), nodes.begin() + element.corners);
     second_order_ += element.nodes > element.corners;
-    if (element.dimension == 0 && element.physical != 0) mesh_.kept.push_back(corners[0]);
+    if (element.dimension == 0 && element.physical != 0) add_point(element, corners[0]);
     if (element.dimension == 1) add_line(element, corners);
     if (element.dimension == 2) mesh_.add_cell(corners, material_of(element));
+  }
+
+  void add_point(const MshElement& element, std::uint32_t point) {
+    mesh_.kept.push_back(point);
+    const auto name = file_.names.find({0, element.physical});
+    if (name != file_.names.end() && !name->second.empty())
+      mesh_.names.push_back({point, name->second});
   }
 
   void add_line(const MshElement& element, const std::vector<std::uint32_t>& ends) {

@@ -43,6 +43,22 @@ TEST(ReadGeojson, ReadsFeaturesInTheOrderOfTheFile) {
                                  "the property 'size' of 1 point is left out: it is one of areas"});
 }
 
+TEST(ReadGeojson, PointsHaveNames) {
+  const Result<Input> input = parse_geojson(R"({"type": "FeatureCollection", "features": [
+    {"type": "Feature", "properties": {}, "geometry": {"type": "Point", "coordinates": [0, 0]}},
+    {"type": "Feature", "properties": {"name": "well1"}, "geometry":
+      {"type": "Point", "coordinates": [1, 1]}},
+    {"type": "Feature", "properties": {"name": 7}, "geometry":
+      {"type": "MultiPoint", "coordinates": [[2, 1], [], [3, 1]]}}]})",
+                                            "map.geojson");
+  ASSERT_TRUE(input.has_value()) << input.error().message;
+  ASSERT_EQ(input->point_names.size(), 3u);
+  EXPECT_EQ(input->point_names[0].point, 1u);
+  EXPECT_EQ(input->point_names[0].name, "well1");
+  EXPECT_EQ(input->point_names[2].point, 3u);
+  EXPECT_EQ(input->point_names[2].name, "7");
+}
+
 TEST(ReadGeojson, TakesNumbersForNamesAndEmptyCoordinatesForNull) {
   const Result<Input> input = parse_geojson(R"({"type": "FeatureCollection", "features": [
     {"type": "Feature", "properties": {"name": 12.5}, "geometry":

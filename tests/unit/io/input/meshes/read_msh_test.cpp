@@ -131,6 +131,16 @@ std::string with_replaced(std::string_view from, std::string_view to) {
   return text.replace(at, from.size(), to);
 }
 
+TEST(ReadMshNames, OfPhysicalPoints) {
+  const Result<Input> input = parse_msh(
+      with_replaced("$PhysicalNames\n3\n", "$PhysicalNames\n4\n0 3 \"well\"\n"), "dev.msh");
+  ASSERT_TRUE(input.has_value()) << input.error().message;
+  ASSERT_EQ(input->point_names.size(), 1U);
+  EXPECT_EQ(input->point_names[0].name, "well");
+  EXPECT_EQ(input->points[input->point_names[0].point], (Point{0, 0}));
+  EXPECT_TRUE(parse_msh(kMesh22, "dev.msh")->point_names.empty());  // its group has none
+}
+
 TEST(ReadMshErrors, SayFileAndLine) {
   EXPECT_EQ(msh_message(with_replaced("2.2 0 8", "2.2 1 8")),
             "dev.msh:2: a binary .msh with another order of bytes than this machine's");
