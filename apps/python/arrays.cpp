@@ -164,6 +164,7 @@ Input pslg_from(const py::object& points, const py::object& ends, const py::list
   Input input;
   input.source = "arrays";
   input.void_rule = VoidRule::unseeded_faces;
+  input.seeds_may_miss = true;
   input.points = points_from(points, "points");
   const Indices segments = indices_from(ends, "segments");
   if (segments.size() > 0 && (segments.ndim() != 2 || segments.shape(1) != 2))

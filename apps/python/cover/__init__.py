@@ -75,8 +75,9 @@ def mesh(points, segments, regions=(), holes=(), *, lines=None, progress=None, *
 
     points: (n, 2) floats; segments: (m, 2) indices into points; regions: (x, y, material) or
     (x, y, material, name), a point in each region; holes: (k, 2) floats. Where there are regions,
-    a face without one is void; without any, every enclosed face is meshed. lines: of contacts and
-    named interfaces, the indices of their segments by name.
+    a face without one is void, of which a note tells unless a hole is in it; without any, every
+    enclosed face is meshed. lines: of contacts and named interfaces, the indices of their segments
+    by name.
     progress(stage, done, total) is called now and then; returning False raises Cancelled.
     """
     return _mesh_pslg(points, segments, list(_or_none(regions)), _or_none(holes), dict(_by_name(lines, "segments")), options, progress)

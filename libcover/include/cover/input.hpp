@@ -115,6 +115,9 @@ struct Input {
   std::string system{};
   std::vector<AskedName> asked{};  ///< filled where ReadOptions::is_one_of_several
   std::vector<PointName> point_names{};
+  /// Whether VoidRule::unseeded_faces may make a face void by mistake, which is told then. Holes of
+  /// a mesh that is read as geometry are meant.
+  bool seeds_may_miss = false;
 };
 
 }  // namespace cover

@@ -50,6 +50,7 @@ struct Pslg {
   std::vector<Isometry> isometries;   ///< of `periodic`, one for each rule
   std::string source;                 ///< file name for messages
   std::vector<NamedPoint> named_points{};
+  bool seeds_may_miss = false;  ///< as Input has it
 };
 
 }  // namespace cover

@@ -85,6 +85,7 @@ Pslg take_over(const Input& input, const Team& team) {
   pslg.seeds = input.seeds;
   pslg.holes = input.holes;
   pslg.void_rule = input.void_rule;
+  pslg.seeds_may_miss = input.seeds_may_miss;
   return pslg;
 }
 

@@ -145,6 +145,12 @@ Result<SeededFaces> apply_seeds(const Pslg& pslg, const Faces& faces, std::vecto
   }
   SeededFaces out;
   out.is_void = find_void(pslg, faces, hole_faces, seed_faces);
+  if (pslg.seeds_may_miss) {
+    std::vector<bool> is_hole(faces.count, false);
+    for (const std::uint32_t f : hole_faces) is_hole[f] = true;
+    for (std::uint32_t f = kOutside + 1; f < faces.count; ++f)
+      if (out.is_void[f] && !is_hole[f]) out.missed.push_back(f);
+  }
   out.seed.resize(faces.count);
   out.size.resize(faces.count);
   Complaint in_void(ErrorCode::seed_in_void, pslg.source);
@@ -179,6 +185,24 @@ Result<SeededFaces> apply_seeds(const Pslg& pslg, const Faces& faces, std::vecto
   if (!in_void.empty()) return in_void.error();
   if (!conflict.empty()) return conflict.error();
   return out;
+}
+
+void warn_of_missed_faces(std::vector<std::uint32_t> missed,
+                          const std::vector<FaceMeasure>& measures, std::vector<Note>& notes) {
+  std::erase_if(missed, [&](std::uint32_t f) { return !measures[f].inside; });
+  if (missed.empty()) return;
+  std::sort(missed.begin(), missed.end(), [&](std::uint32_t f, std::uint32_t g) {
+    return std::pair(-measures[f].area, measures[f].smallest_side) <
+           std::pair(-measures[g].area, measures[g].smallest_side);
+  });
+  std::vector<Point> where;
+  for (const std::uint32_t f : missed) where.push_back(*measures[f].inside);
+  std::string message = fmt::format(
+      "{} neither a region nor a hole given inside, {}at {}: left void; a region meshes it, a hole "
+      "says that it is meant",
+      counted(missed.size(), "closed face") + (missed.size() == 1 ? " has" : " have"),
+      missed.size() == 1 ? "" : "the largest ", describe(where.front()));
+  notes.push_back({Note::Kind::warning, kVoid, std::move(message), std::move(where)});
 }
 
 }  // namespace cover

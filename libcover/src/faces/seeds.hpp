@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include <cover/report.hpp>
 #include <cover/result.hpp>
 
+#include "faces/face_measures.hpp"
 #include "faces/faces.hpp"
 
 namespace cover {
@@ -18,6 +20,7 @@ struct SeededFaces {
   std::vector<bool> is_void;
   std::vector<std::optional<std::size_t>> seed;  ///< index into Pslg::seeds; the first of several
   std::vector<std::optional<double>> size;       ///< the smallest that a seed wishes
+  std::vector<std::uint32_t> missed;  ///< void for want of any seed; where Pslg::seeds_may_miss
 };
 
 /// Finds the faces of all seeds and decides which faces are void.
@@ -26,5 +29,9 @@ struct SeededFaces {
 /// Errors: seed_on_segment, seed_in_void, conflicting_seeds, each with all its seeds.
 /// Cost:   O(seeds * sqrt(n)) typically.
 Result<SeededFaces> apply_seeds(const Pslg& pslg, const Faces& faces, std::vector<Note>& notes);
+
+/// Tells of faces that may want a seed. Left out are those that are too thin for one.
+void warn_of_missed_faces(std::vector<std::uint32_t> missed,
+                          const std::vector<FaceMeasure>& measures, std::vector<Note>& notes);
 
 }  // namespace cover

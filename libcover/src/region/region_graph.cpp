@@ -123,6 +123,7 @@ class TableMaker {
         warn_of_sliver("a void", measures[f], notes);
       }
     }
+    warn_of_missed_faces(seeded_.missed, measures, notes);
   }
 
   /// What the features of the regions have.

@@ -129,6 +129,30 @@ TEST(BuildRegionTable, UnseededFacesAreVoidUnderTheOtherRule) {
   EXPECT_EQ(found->table.void_seeds.size(), 2U);
   EXPECT_EQ(found->table.void_segments.size(), 8U);
   EXPECT_EQ(found->table.void_points.size(), 8U);
+  EXPECT_TRUE(found->notes.empty());
+}
+
+TEST(BuildRegionTable, TellsOfFacesThatSeedsMayHaveMissed) {
+  Input input = nested();
+  input.void_rule = VoidRule::unseeded_faces;
+  input.seeds_may_miss = true;
+  EXPECT_TRUE(find(input)->notes.empty());  // all are regions
+  input.seeds = {seed({4, 4}, "silicon", 1)};
+  auto found = find(input);
+  ASSERT_TRUE(found) << found.error().message;
+  ASSERT_EQ(found->notes.size(), 1U);
+  EXPECT_EQ(found->notes[0].message.find("2 closed faces have neither a region nor a hole given "
+                                         "inside, the largest at ("),
+            0U);
+  ASSERT_EQ(found->notes[0].where.size(), 2U);
+  const Point p = found->notes[0].where[0];  // 32 of the outer ring are more than 24 of the other
+  EXPECT_TRUE(std::min({p.x, p.y, 9 - p.x, 9 - p.y}) < 1);
+  input.holes = {{{0.5, 0.5}, 1, 0}};
+  found = find(input);
+  ASSERT_EQ(found->notes.size(), 1U);
+  EXPECT_EQ(found->notes[0].message.find("1 closed face has neither"), 0U);
+  input.holes.push_back({{1.5, 1.5}, 2, 0});
+  EXPECT_TRUE(find(input)->notes.empty());
 }
 
 TEST(BuildRegionTable, NumbersMaterialsByFirstAppearanceAroundGivenNumbers) {

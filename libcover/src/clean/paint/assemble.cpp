@@ -31,6 +31,7 @@ class Assembler {
       pslg_.seeds = input_.seeds;
       pslg_.holes = input_.holes;
       pslg_.void_rule = input_.void_rule;
+      pslg_.seeds_may_miss = input_.seeds_may_miss;
     } else {
       add_polygon_seeds();
     }

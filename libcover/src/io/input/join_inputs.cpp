@@ -153,6 +153,7 @@ Status join(Input& all, Input more, std::size_t file) {
   if (all.system.empty()) all.system = more.system;
   if (!more.segments.empty()) all.void_rule = more.void_rule;
   if (more.field) all.field = more.field;
+  all.seeds_may_miss |= more.seeds_may_miss;
   const std::size_t before = all.points.size(), count = more.points.size();
   const auto circles = static_cast<std::uint32_t>(all.circles.size());
   append_by_point(all.point_ids, std::move(more.point_ids), before, count,

@@ -69,10 +69,10 @@ template <Either<Input> T>
 auto members(T& input) {
   auto& [source, unit, scale, warnings, points, point_ids, point_lines, point_markers, segments,
          holes, seeds, void_rule, polygons, lines, field, attributes, circles, periodic, layers,
-         changes, system, asked, point_names] = input;
+         changes, system, asked, point_names, seeds_may_miss] = input;
   return std::tie(source, unit, scale, warnings, points, point_ids, point_lines, point_markers,
                   segments, holes, seeds, void_rule, polygons, lines, field, attributes, circles,
-                  periodic, layers, changes, system, asked, point_names);
+                  periodic, layers, changes, system, asked, point_names, seeds_may_miss);
 }
 
 template <Either<ReadOptions> T>

@@ -34,6 +34,7 @@ TEST(BordersOf, KeepsTheOutlineAndTheInterfaceOnly) {
   EXPECT_EQ(input.points.size(), 16u + 3u);  // inner nodes off the interface are gone
   EXPECT_EQ(input.point_ids[1], 101);
   EXPECT_EQ(input.void_rule, VoidRule::unseeded_faces);
+  EXPECT_FALSE(input.seeds_may_miss);  // holes of a mesh are meant
   ASSERT_EQ(input.seeds.size(), 2u);
   EXPECT_EQ(input.seeds[0].material, "a");
   EXPECT_LT(input.seeds[0].at.x, 2);

@@ -79,12 +79,14 @@ TEST(JoinInputs, NamesOfPointsStayWithThem) {
   other.points = {{1.25, 0.5}, {1.5, 0.5}};
   one.point_names = {{0, "well"}};
   other.point_names = {{1, "spring"}};
+  other.seeds_may_miss = true;
   const Result<Input> joined = join_inputs({one, other});
   ASSERT_TRUE(joined);
   ASSERT_EQ(joined->point_names.size(), 2U);
   EXPECT_EQ(joined->points[joined->point_names[0].point], (Point{0.5, 0.5}));
   EXPECT_EQ(joined->point_names[1].name, "spring");
   EXPECT_EQ(joined->points[joined->point_names[1].point], (Point{1.5, 0.5}));
+  EXPECT_TRUE(joined->seeds_may_miss);
 }
 
 TEST(JoinInputs, RefusesWhatDoesNotGoTogether) {

@@ -54,6 +54,7 @@ class InputReader {
       : document_(document), json_(document, source), elements_(std::move(elements)), team_(team) {
     input_.source = source;
     input_.void_rule = VoidRule::unseeded_faces;
+    input_.seeds_may_miss = true;
   }
 
   Result<Input> read() {

@@ -31,6 +31,7 @@ TEST(ReadJson, ReadsAPslg) {
                 {"x": 0.3, "y": 0.2, "material": 4}]})");
   EXPECT_EQ(input.unit, "um");
   EXPECT_EQ(input.void_rule, VoidRule::unseeded_faces);
+  EXPECT_TRUE(input.seeds_may_miss);
   ASSERT_EQ(input.points.size(), 4u);
   EXPECT_EQ(input.points[2], (Point{1, 1.5e-3}));
   ASSERT_EQ(input.segments.size(), 4u);
