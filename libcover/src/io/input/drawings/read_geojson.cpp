@@ -90,6 +90,7 @@ class GeoReader {
                       counted(outside_, "inner ring") + (outside_ == 1 ? " lies" : " lie"),
                       outside_ == 1 ? "its polygon" : "their polygons", describe(first_outside_)));
     note_system();
+    warn_of_capitals();
     if (auto missing = missing_property()) return *std::move(missing);
     input_.attributes = attributes_.attributes();
     tell_renamed(input_.attributes, input_.warnings);
@@ -171,7 +172,7 @@ class GeoReader {
       if (const Json* m = material_.of(*properties)) own.material = read_name(*m);
       if (const Json* n = name_.of(*properties)) own.name = read_name(*n);
       if (const Json* p = priority_.of(*properties)) own.priority = read_number(*p);
-      if (const Json* s = JsonReader::member(*properties, "size")) own.size = read_size(*s, number);
+      if (const Json* s = size_.of(*properties)) own.size = read_size(*s, number);
     }
     if (own.material.empty())
       own.material = own.name.empty() ? fmt::format("feature_{}", number) : own.name;
@@ -216,6 +217,37 @@ class GeoReader {
     if (!is_said && options_.unit.empty() && options_.scale == 1 &&
         could_be_degrees(box_of_input(input_)))
       input_.warnings.emplace_back(kMayBeDegrees);
+  }
+
+  /// Capitals make a difference, but one who wrote them mostly meant the property of that name.
+  void warn_of_capitals() {
+    for (const Meaning* meaning : {&material_, &name_, &priority_, &size_}) {
+      if (meaning->is_there || meaning->is_asked) continue;
+      const auto meant = std::find_if(known_.begin(), known_.end(), [&](const std::string& name) {
+        return name != meaning->name && is_alike(name, meaning->name) && !is_read(name);
+      });
+      if (meant == known_.end()) continue;
+      std::string option = meaning->option;
+      std::replace(option.begin(), option.end(), '_', '-');
+      input_.warnings.push_back(fmt::format(
+          "no feature has the property '{}', and '{}' with capitals counts for nothing{}",
+          meaning->name, *meant,
+          option.empty() ? "" : fmt::format(": --{} {} takes it", option, *meant)));
+    }
+  }
+
+  /// But for capitals.
+  static bool is_alike(std::string_view one, std::string_view other) {
+    const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; };
+    return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                      [&](char c, char d) { return small(c) == small(d); });
+  }
+
+  /// Whether an option takes the property, for whatever it is.
+  [[nodiscard]] bool is_read(const std::string& property) const {
+    const std::vector<std::string>& kept = attributes_.names();
+    return property == material_.name || property == name_.name || property == priority_.name ||
+           std::find(kept.begin(), kept.end(), property) != kept.end();
   }
 
   /// A property that was asked for and that no feature has.
@@ -328,6 +360,7 @@ class GeoReader {
   std::size_t outside_ = 0;    ///< inner rings
   Point first_outside_;
   Meaning material_, name_, priority_;
+  Meaning size_{"", "", "size"};
   AttributeTable attributes_;
 };
 

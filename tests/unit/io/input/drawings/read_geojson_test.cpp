@@ -59,6 +59,28 @@ TEST(ReadGeojson, PointsHaveNames) {
   EXPECT_EQ(input->point_names[2].name, "7");
 }
 
+TEST(ReadGeojson, WarnsOfPropertiesThatDifferInCapitals) {
+  const auto warnings = [](const char* properties, const ReadOptions& options = {}) {
+    const Result<Input> input = parse_geojson(
+        std::string(R"({"type": "Feature", "properties": )") + properties +
+            R"(, "geometry": {"type": "LineString", "coordinates": [[0, 0], [500, 0]]}})",
+        "map.geojson", options);
+    EXPECT_TRUE(input.has_value()) << input.error().message;
+    return input->warnings;
+  };
+  using Warnings = std::vector<std::string>;
+  EXPECT_EQ(warnings(R"({"Material": "Si", "SIZE": 2, "Sizes": 3})"),
+            (Warnings{"no feature has the property 'material', and 'Material' with capitals counts "
+                      "for nothing: --material-field Material takes it",
+                      "no feature has the property 'size', and 'SIZE' with capitals counts for "
+                      "nothing"}));
+  EXPECT_EQ(warnings(R"({"material": "Si", "Material": "Ge"})"), Warnings{});
+  ReadOptions options;
+  options.material_field = "Material";
+  options.keep_fields = {"NAME"};
+  EXPECT_EQ(warnings(R"({"Material": "Si", "NAME": "a"})", options), Warnings{});
+}
+
 TEST(ReadGeojson, TakesNumbersForNamesAndEmptyCoordinatesForNull) {
   const Result<Input> input = parse_geojson(R"({"type": "FeatureCollection", "features": [
     {"type": "Feature", "properties": {"name": 12.5}, "geometry":
