@@ -149,9 +149,9 @@ double FanGrowth::at_chord(double angle) const {
   return at_chords_[k] + (part - static_cast<double>(k)) * (at_chords_[k + 1] - at_chords_[k]);
 }
 
-/// No more than what some triangles grow that have `high` in sum; -1 if that is not known. Of the
-/// numbers that keep each below the peak, the fewest and the most: mostly one of them is enough, and
-/// no logarithm is needed.
+/// No more than what some triangles grow that have `high` in sum; -1 if that is not known. Asked of
+/// as few of them as keep each below the peak, and of as many as fit: one or the other mostly grows
+/// enough, and no logarithm is needed.
 double FanGrowth::growth_by_chords(double low, double high) const {
   if (!(chord_ > 0)) return -1;
   const double most = std::min(std::floor(high / range_.least), double{kMostInFan});
