@@ -15,6 +15,9 @@ namespace cover::effort::mend {
 /// few cannot. The first kFewTries come first where bad triangles may be many.
 inline constexpr std::array<int, 6> kMore{1, 2, 4, 8, 16, 32};
 inline constexpr std::size_t kMostTries = kMore.size(), kFewTries = 3;
+/// So many triangles in a row that no number of vertices mended: few are tried then, until one is.
+/// All of 154 between two rings of chords took three times as long, for nothing.
+inline constexpr std::size_t kManyInVain = 32;
 /// Steps, each of which adds or moves a vertex, until an attempt with so many more vertices is
 /// given up: each is put, and moved some times with its neighbours.
 constexpr int steps_with_more(int more) { return 12 + 6 * more; }

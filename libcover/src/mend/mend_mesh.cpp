@@ -1,6 +1,8 @@
 // Tested by tests/unit/mend/mend_mesh_test.cpp.
 #include "mend/mend_mesh.hpp"
 
+#include <algorithm>
+
 #include "mend/effort.hpp"
 
 namespace cover {
@@ -56,11 +58,19 @@ void mend_one(Repairs& repairs, std::uint32_t t, std::uint64_t places_per_sign,
 
 void mend_with_more_vertices(Repairs& repairs, std::size_t tries) {
   MeshWithUndo& mesh = repairs.mesh();
+  std::size_t in_vain = 0;
   for_each_triangle(repairs, [&](std::uint32_t t) {
     if (!repairs.is_bad(t)) return;
     MostBad most = MostBad::in(mesh);
     --most.bad;
-    if (repairs.with_more_vertices(t, most, tries)) mesh.keep();
+    const bool is_hopeless = in_vain >= effort::mend::kManyInVain;
+    if (repairs.with_more_vertices(
+            t, most, is_hopeless ? std::min(tries, effort::mend::kFewTries) : tries)) {
+      mesh.keep();
+      in_vain = 0;
+    } else {
+      ++in_vain;
+    }
   });
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "mend/effort.hpp"
 #include "unit/mend/conforming_meshes.hpp"
 
 namespace cover {
@@ -46,6 +47,31 @@ TEST(MendMesh, TheFootMendsAnObtuseCornerOverAPiece) {
   EXPECT_EQ(bad.before, 1U);
   EXPECT_EQ(bad.after, 0U);
   EXPECT_EQ(mesh.result(flat).points.back(), (Point{2, 0}));
+}
+
+TEST(MendMesh, ManyThatNothingMendsAreTriedLess) {
+  // Flat triangles whose sides stay whole: each vertex inside sees the longest one flat as well.
+  const auto spent_on = [](std::size_t count) {
+    ConformingMesh before;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const std::uint32_t a = 3 * k, b = a + 1, c = a + 2;
+      for (const Point& p : {Point{0, 10.0 * k}, Point{4, 10.0 * k}, Point{2, 10.0 * k + 1}})
+        before.points.push_back(p);
+      before.pieces.insert(before.pieces.end(), {{a, b, a}, {b, c, b}, {c, a, c}});
+      before.triangles.push_back({a, b, c});
+      before.region.push_back(0);
+    }
+    before.line.assign(before.points.size(), ConformingMesh::kFixed);
+    MeshWithUndo mesh(before, {{0}});
+    constexpr std::uint64_t kPlaces = 100'000'000;
+    Repairs repairs(mesh, {kPlaces});
+    mend_with_more_vertices(repairs, effort::mend::kMostTries);
+    EXPECT_EQ(mesh.bad(), count);
+    return static_cast<double>(kPlaces - repairs.left().count);
+  };
+  const double first = spent_on(effort::mend::kManyInVain);
+  EXPECT_GT(first, 0);
+  EXPECT_LT(spent_on(2 * effort::mend::kManyInVain), 1.5 * first);
 }
 
 TEST(MendMesh, SmallAnglesGrowAndNoneBecomesObtuseForThem) {
