@@ -102,23 +102,6 @@ BadTriangles mend_what_is_left(MeshWithUndo& mesh, const MendEffort& effort) {
   return bad;
 }
 
-BadTriangles mend_small_angles(MeshWithUndo& mesh, const MendEffort& effort) {
-  BadTriangles bad{mesh.bad(), 0};
-  const std::size_t by_sign_only = mesh.bad() - mesh.grave();
-  Repairs repairs(mesh, effort.places_for(mesh.bad()));
-  for_each_triangle(repairs, [&](std::uint32_t t) {
-    if (!repairs.is_grave(t)) return;
-    MostBad most = MostBad::in(mesh);
-    most.by_sign_only = by_sign_only;
-    --most.bad;
-    if (!repairs.with_more_vertices(t, most, effort::mend::kFewTries))
-      repairs.with_other_vertices(t, most, effort.places_per_bad);
-    mesh.keep();
-  });
-  bad.after = mesh.bad();
-  return bad;
-}
-
 BadTriangles mend_mesh(MeshWithUndo& mesh, const MendEffort& effort,
                        std::uint64_t places_per_sign) {
   BadTriangles bad{mesh.bad(), 0};

@@ -35,14 +35,6 @@ struct BadTriangles {
 /// Ref:     libcover/docs/cutting_segments.md, "Fewer vertices"
 BadTriangles mend_what_is_left(MeshWithUndo& mesh, const MendEffort& effort);
 
-/// Makes triangles with angles below those asked for fewer, by more vertices and by others in place
-/// of some that are near. No triangle goes beyond WantedAngles::worst_cot for it, and no more
-/// angles opposite to pieces become obtuse.
-///
-/// ENSURES: the same mesh for the same input, whatever the machine
-/// Cost:    as `effort` says
-BadTriangles mend_small_angles(MeshWithUndo& mesh, const MendEffort& effort);
-
 /// Moves, adds and, where that does not help, takes away vertices until no triangle is gravely bad
 /// (MeshWithUndo::grave), and then, if that can be, until none is by a vertex inside that could
 /// lie elsewhere. No more triangles become bad in any way.

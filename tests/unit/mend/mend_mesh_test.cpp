@@ -74,16 +74,5 @@ TEST(MendMesh, ManyThatNothingMendsAreTriedLess) {
   EXPECT_LT(spent_on(2 * effort::mend::kManyInVain), 1.5 * first);
 }
 
-TEST(MendMesh, SmallAnglesGrowAndNoneBecomesObtuseForThem) {
-  const ConformingMesh before = testing::hexagon_around({0.9, 0});
-  constexpr double kCotangentOf50 = 0.8391, kHardlyBlunt = -1e-9;
-  MeshWithUndo mesh(before, {{kCotangentOf50, 0, false, kHardlyBlunt}});
-  ASSERT_GT(mesh.bad(), 0U);
-  ASSERT_EQ(MeshWithUndo(before, {{0}}).bad(), 0U) << "none is obtuse";
-  const BadTriangles bad = mend_small_angles(mesh, {3'000, 100'000});
-  EXPECT_EQ(bad.after, 0U);
-  EXPECT_EQ(MeshWithUndo(mesh.result(before), {{0}}).bad(), 0U);
-}
-
 }  // namespace
 }  // namespace cover

@@ -56,14 +56,6 @@ constexpr std::uint64_t kPlacesForTheLast = 100'000;
 /// three keep one or two obtuse triangles more.
 constexpr std::uint64_t kPlacesPerVertex = 10'000;
 
-/// Angles that are too small once no triangle is obtuse are mended by steps: parts of those asked.
-constexpr std::array kRaised{1e-4, 1e-2, 0.2, 1.0};
-/// Of those asked, what thinning out keeps in regions where right angles came first.
-constexpr double kKeptPart = 0.2;
-constexpr std::uint64_t kPlacesToRaise = 3'000;  ///< for each triangle
-/// Of an angle that is hardly above 90 degrees: no triangle becomes obtuse for larger angles.
-constexpr double kHardlyBlunt = -1e-9;
-
 /// The places of all that is done.
 struct Places {
   ThinEffort thinning;
@@ -114,7 +106,6 @@ std::vector<WantedAngles> angles_of(const std::vector<RegionMesh>& meshes, const
 /// Smaller angles in the regions around obtuse triangles that are left, down to a part of what is
 /// asked: right angles come first.
 std::vector<WantedAngles> angles_for_the_last(const ConformingMesh& mesh, double part,
-                                              const std::vector<WantedAngles>& asked,
                                               const std::vector<WantedAngles>& angles) {
   const MeshWithUndo now(mesh, angles);
   std::vector<bool> is_near(mesh.points.size(), false);
@@ -125,32 +116,9 @@ std::vector<WantedAngles> angles_for_the_last(const ConformingMesh& mesh, double
   std::vector<WantedAngles> out = angles;
   for (const MeshWithUndo::Triangle& t : now.triangles()) {
     if (t.v[0] == kNone || (!is_near[t.v[0]] && !is_near[t.v[1]] && !is_near[t.v[2]])) continue;
-    out[t.region].largest_cot =
-        std::max(angles[t.region].largest_cot, asked[t.region].largest_cot / part);
+    out[t.region].largest_cot = angles[t.region].largest_cot / part;
   }
   return out;
-}
-
-/// By region, the cotangent of the smallest angle in `mesh`.
-std::vector<double> smallest_cots(const ConformingMesh& mesh, std::size_t regions) {
-  std::vector<double> cots(regions, 0);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto [i, j, k] = mesh.triangles[t];
-    const Point a = mesh.points[i], b = mesh.points[j], c = mesh.points[k];
-    const double largest = std::max({dot(b - a, c - a), dot(c - b, a - b), dot(a - c, b - c)});
-    double& cot = cots[mesh.region[t]];
-    cot = std::max(cot, largest / std::abs(cross(b - a, c - a)));
-  }
-  return cots;
-}
-
-/// Angles no smaller than those of `mesh`, or than a part of those `asked`.
-void keep_what_is_reached(const ConformingMesh& mesh, const std::vector<WantedAngles>& asked,
-                          std::vector<WantedAngles>& angles) {
-  const std::vector<double> cots = smallest_cots(mesh, angles.size());
-  for (std::size_t r = 0; r < angles.size(); ++r)
-    angles[r].largest_cot = std::min(angles[r].largest_cot,
-                                     std::max(asked[r].largest_cot / kKeptPart, cots[r] / kSlack));
 }
 
 /// Whether more couplings are negative.
@@ -232,32 +200,28 @@ class Thinning {
     ThinTrial trial;
     const std::size_t first = work_.report.input_points;
     trial.before = new_vertices();
-    const std::vector<WantedAngles> asked = angles_of(work_.meshes, options_);
-    std::vector<WantedAngles> angles = asked;
+    std::vector<WantedAngles> angles = angles_of(work_.meshes, options_);
     Places places = places_of(options_.effort, mesh_.points.size(), trial.before);
     places.thinning.mending.stop = stop;
     ConformingMesh start = mesh_;
     const std::size_t bad_before = MeshWithUndo(start, angles).bad();
     if (mends_first) {
-      angles = angles_for_the_last(start, kLeastPart, asked, asked);
+      angles = angles_for_the_last(start, kLeastPart, angles);
       MeshWithUndo mending(start, angles);
       mend_what_is_left(mending, {kPlacesForTheLast, places.thinning.mending.places_at_most, stop});
       start = mending.result(start);
-      if (mending.bad() == 0) start = with_larger_angles(std::move(start), asked, places);
-      keep_what_is_reached(start, asked, angles);
     }
     MeshWithUndo thinning(start, angles);
     std::size_t bad = thin_mesh(thinning, places.thinning).after;
     ConformingMesh result = thinning.result(start);
     for (const Last& last : kLast) {
       if (bad == 0 || bad > last.most) continue;
-      MeshWithUndo mending(result, angles_for_the_last(result, last.part, asked, angles));
+      MeshWithUndo mending(result, angles_for_the_last(result, last.part, angles));
       bad = mend_what_is_left(
                 mending, {last.times * kPlacesForTheLast, places.last / last.part_of_places, stop})
                 .after;
       result = mending.result(result);
     }
-    if (bad == 0) result = with_larger_angles(std::move(result), asked, places);
     trial.after = result.points.size() - first;
     trial.is_better = bad < bad_before || (bad == bad_before && trial.after < trial.before);
     if (!stop.stop_requested() && trial.is_better) judge(result, trial);
@@ -265,26 +229,6 @@ class Thinning {
   }
 
  private:
-  /// Where right angles came first, small angles were left: as many of them as can be go again.
-  static ConformingMesh with_larger_angles(ConformingMesh mesh,
-                                           const std::vector<WantedAngles>& asked,
-                                           const Places& places) {
-    for (const double part : kRaised) {
-      std::vector<WantedAngles> angles = asked;
-      for (WantedAngles& a : angles) {
-        a.largest_cot /= part;
-        a.worst_cot = kHardlyBlunt;
-      }
-      MeshWithUndo mending(mesh, angles);
-      if (mending.bad() == 0) continue;
-      mend_small_angles(mending, {kPlacesToRaise, places.last, places.thinning.mending.stop});
-      ConformingMesh better = mending.result(mesh);
-      for (WantedAngles& a : angles) a.largest_cot = 0;
-      if (MeshWithUndo(better, angles).bad() == 0) mesh = std::move(better);
-    }
-    return mesh;
-  }
-
   void judge(const ConformingMesh& result, ThinTrial& trial) const {
     Work thin = whole_;
     separate(result, fixed_, thin);
