@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -16,13 +17,17 @@ namespace cover::mpi {
 /// order. What another rank cannot read is read here: it may be on this machine alone.
 ///
 /// Threads: called by the main thread of rank 0
-/// Errors:  that of the first file that cannot be read here
+/// Errors:  that of the first file that cannot be read here; cancelled where `stop` asks to end
+///          while others read
 Result<std::vector<Input>> read_among_ranks(
-    const FilesToRead& files, const std::function<Result<Input>(const std::string& path)>& here);
+    const FilesToRead& files, const std::function<Result<Input>(const std::string& path)>& here,
+    const std::stop_token& stop);
 
-/// What another rank does: reads files and sends what is in them.
+/// What another rank does: reads files and sends what is in them; nothing, once `stop` asks for the
+/// end, which it does of programs that read for it, too.
 ///
 /// Threads: called by the main thread of that rank
-void read_for_rank_0(std::span<const std::byte> files, const RankCores& cores);
+void read_for_rank_0(std::span<const std::byte> files, const RankCores& cores,
+                     const std::stop_token& stop);
 
 }  // namespace cover::mpi
