@@ -431,6 +431,9 @@ LOOKUP_TABLE default
         self.assertEqual(counts[0], counts[1])
         regions = json.loads((self.dir / 'd.json').read_text())['regions']
         self.assertGreater(min(region['triangles'] for region in regions), 20)
+        self.run_cover('mesh', 'p.json', '-q', '-o', 'd.msh')
+        groups = re.findall(r'^1 \d+ "(.*)"$', (self.dir / 'd.msh').read_text(), re.MULTILINE)
+        self.assertEqual([name for name in groups if 'outline' not in name], ['a_b'])
 
     def test_a_line_in_the_void_is_no_unknown_name(self):
         corners = [[0, 0], [1, 0], [1, 1], [0, 1], [3, 0], [3, 1]]

@@ -66,7 +66,9 @@ std::vector<SegmentId> named_segments(const Pslg& pslg, const RegionTable& table
                                       std::string_view name) {
   std::vector<SegmentId> found =
       segments_where(table, [&](const Interface& line) { return line.name == name; });
-  if (found.empty())
+  // A name that the input gives is no other line's, wherever that line lies.
+  const bool is_given = std::find(pslg.names.begin(), pslg.names.end(), name) != pslg.names.end();
+  if (found.empty() && !is_given)
     found =
         segments_where(table, [&](const Interface& line) { return is_of_both(table, line, name); });
   if (found.empty()) {

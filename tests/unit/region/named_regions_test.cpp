@@ -96,6 +96,8 @@ TEST(NamedSegments, InterfacesInEitherOrder) {
   EXPECT_EQ(named_segments(pslg, lines, "source_drain"), Segments{SegmentId{1}});
   for (const char* none : {"gate_gate", "drain_gat", "_gate", "drain_", "outline_source"})
     EXPECT_EQ(named_segments(pslg, lines, none), Segments{}) << none;
+  pslg.names = {"", "drain_gate"};  // the input's own line, wherever it lies
+  EXPECT_EQ(named_segments(pslg, lines, "drain_gate"), Segments{});
 }
 
 TEST(LineInVoid, TellsWhereItLies) {

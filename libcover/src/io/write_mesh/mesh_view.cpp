@@ -123,7 +123,11 @@ class LineGroups {
     const Interface& line = table_.interface(id);
     if (line.kind == InterfaceKind::contact) return find({line.kind, 0, 0, line.name});
     if (marker != 0) return find({InterfaceKind::contact, 0, 0, std::to_string(marker)});
-    return find({line.kind, group_of(line.left), group_of(line.right), line.name});
+    // What lies between groups of two names has one name, whichever of them is on the left.
+    const auto [low, high] = std::minmax({group_of(line.left), group_of(line.right)});
+    const bool has_order = line.kind != InterfaceKind::interface;
+    return has_order ? find({line.kind, group_of(line.left), group_of(line.right), line.name})
+                     : find({line.kind, low, high, line.name});
   }
 
   std::vector<Group> finish() {
@@ -133,7 +137,8 @@ class LineGroups {
   }
 
  private:
-  /// Kind, groups on the left and on the right counted from 1, name.
+  /// Kind, groups on the left and on the right counted from 1 (of an interface the lower one first),
+  /// name.
   using Key = std::tuple<InterfaceKind, std::uint32_t, std::uint32_t, std::string>;
 
   std::uint32_t find(const Key& key) {
