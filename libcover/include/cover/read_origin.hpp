@@ -16,8 +16,8 @@ struct MeshOrigin {
   std::size_t triangles = 0;  ///< of the mesh that it wrote; 0: not told
 };
 
-/// The run that wrote the mesh in this file, by the manifest (.json) beside it, else by a .vtm or a
-/// .vtkhdf itself; nothing where neither tells, or cannot be read. A manifest may be that of
+/// The run that wrote the mesh in this file, by a .vtm or a .vtkhdf itself, else by the manifest
+/// (.json) beside it; nothing where neither tells, or cannot be read. A manifest may be that of
 /// another mesh: its count of triangles is for the caller to compare.
 ///
 /// Memory: that of a .vtkhdf, or of the manifest

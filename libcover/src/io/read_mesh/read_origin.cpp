@@ -18,20 +18,26 @@ std::optional<MeshOrigin> origin_in(StoredMesh&& stored) {
   return MeshOrigin{std::move(stored.provenance), stored.scale, 0};
 }
 
-}  // namespace
-
-std::optional<MeshOrigin> read_origin(const std::string& path) {
-  const std::string manifest = std::filesystem::path(path).replace_extension(".json");
-  if (std::optional<MeshOrigin> origin = read_manifest_origin(manifest)) return origin;
-  if (extension_of(path) == ".vtm") {
+/// What the file itself tells.
+std::optional<MeshOrigin> read_own_origin(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (extension == ".vtm") {
     Result<StoredMesh> names = read_vtm_origin(path);
     if (names) return origin_in(*std::move(names));
   }
-  if (extension_of(path) == ".vtkhdf") {
+  if (extension == ".vtkhdf") {
     Result<VtkHdfMesh> file = read_vtkhdf_mesh(path);
     if (file) return origin_in(std::move(file->names));
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<MeshOrigin> read_origin(const std::string& path) {
+  // What the mesh's own file tells is of it; a manifest may be that of an earlier mesh.
+  if (std::optional<MeshOrigin> origin = read_own_origin(path)) return origin;
+  return read_manifest_origin(std::filesystem::path(path).replace_extension(".json"));
 }
 
 }  // namespace cover

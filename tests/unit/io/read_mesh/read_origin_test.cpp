@@ -54,8 +54,32 @@ TEST(ReadOrigin, OfAManifestAndOfFilesThatTellThemselves) {
     else
       expect_origin(read_origin(path), 0);
     ASSERT_TRUE(write_manifest(mesh, std::filesystem::path(path).replace_extension(".json")));
-    expect_origin(read_origin(path), mesh.mesh.tri().n_faces());
+    expect_origin(read_origin(path), name[0] == 'c' ? mesh.mesh.tri().n_faces() : 0);
   }
+}
+
+TEST(ReadOrigin, OfTheFileItselfBeforeThatOfAManifest) {
+  const testing::TemporaryFolder folder;
+  Output mesh = meshed();
+  mesh.report.provenance.source = "earlier.poly";
+  ASSERT_TRUE(write_manifest(mesh, folder.path() / "a.json"));
+  mesh.report.provenance.source = "checker.poly";
+  for (const char* const name : {"a.vtm", "a.vtkhdf"}) {
+    SCOPED_TRACE(name);
+    const std::string path = folder.path() / name;
+    ASSERT_TRUE(write_mesh(mesh, path));
+    expect_origin(read_origin(path), 0);
+  }
+}
+
+TEST(ReadOrigin, AFileThatBeginsOtherwiseIsNoManifest) {
+  const testing::TemporaryFolder folder;
+  const std::string path = folder.path() / "a.msh";
+  const std::string format = R"("format": "cover mesh manifest"})";
+  std::ofstream(folder.path() / "a.json") << "{" + format;
+  EXPECT_TRUE(read_origin(path));
+  std::ofstream(folder.path() / "a.json") << "{" + std::string(2000, ' ') + format;
+  EXPECT_FALSE(read_origin(path));
 }
 
 TEST(ReadOrigin, BrokenFilesTellNothing) {
@@ -64,7 +88,10 @@ TEST(ReadOrigin, BrokenFilesTellNothing) {
   EXPECT_FALSE(read_origin(path));
   for (const char* const text :
        {"", "{", "[]", R"({"format": "cover report"})",
-        R"({"format": "cover mesh manifest", "options": {"max-angle": 3}})"}) {
+        R"({"format": "cover mesh manifest", "options": {"max-angle": 3}})",
+        R"({"format": "cover mesh manifest", "counts": 3})",
+        R"({"format": "cover mesh manifest", "counts": {"triangles": 1e300}})",
+        R"({"format": "cover mesh manifest", "counts": {"triangles": -1}})"}) {
     SCOPED_TRACE(text);
     std::ofstream(folder.path() / "a.json") << text;
     EXPECT_FALSE(read_origin(path));
