@@ -143,11 +143,25 @@ class Check(Case):
         for name in ('m.msh', 'm.vtu'):
             self.assertIn(own, self.run_cover('check', plate, name)[0])
         self.assertIn(own, self.run_cover('check', plate, 'm.vtu', '--stream', 'on')[0])
-        # Those of the command line count before them, and those of another mesh do not.
-        out, _ = self.run_cover('check', plate, 'm.msh', '--max-angle', '120')
-        self.assertIn('Regions beside targets of 120 and 20 degrees, and beside', out)
+        # Each of the command line counts before its own, and those of another mesh do not.
+        for given, whose in ((('--max-angle', '120'), '120 and 15 degrees, the second that of the run that made it'),
+                            (('--min-angle', '25'), '95 and 25 degrees, the first that of the run that made it'),
+                            (('--max-angle', '120', '--min-angle', '25'), '120 and 25 degrees')):
+            out, _ = self.run_cover('check', plate, 'm.msh', *given)
+            self.assertIn(f'Regions beside targets of {whose}, and beside', out)
         self.run_cover('mesh', plate, '--method', 'almond', '-o', 'm.vtu', '-q')
-        self.assertIn(usual, self.run_cover('check', plate, 'm.vtu')[0])
+        for stream in ('off', 'on'):
+            self.assertIn(usual, self.run_cover('check', plate, 'm.vtu', '--stream', stream)[0])
+        # What a file says itself counts before the manifest of another mesh beside it.
+        self.run_cover('mesh', plate, '--max-angle', '105', '-o', 'm.vtkhdf', '-o', 'm.vtm', '-q')
+        for name in ('m.vtkhdf', 'm.vtm'):
+            self.assertIn('targets of 105 and 20 degrees, those of the run', self.run_cover('check', plate, name)[0])
+        # Settings that cannot be understood are taken neither as targets nor as words.
+        manifest = json.loads((self.dir / 'm.json').read_text())
+        manifest['counts']['triangles'] = 0
+        manifest['options'] = {'max-angle': '95', 'min-angle': '1000'}
+        self.write('m.json', json.dumps(manifest))
+        self.assertIn(usual, self.run_cover('check', plate, 'm.msh')[0])
         self.run_cover('mesh', plate, '--method', 'almond', '-o', 'a.vtm', '-q')
         self.assertIn(usual, self.run_cover('check', plate, 'a.vtm')[0])
 
@@ -303,7 +317,11 @@ class Info(Case):
         self.run_cover('check', 'a.json', 'm.vtm', code=6)
         for words in (('a.json',), ()):
             self.assertRegex(self.run_cover('check', *words, code=2)[1], '(mesh|input) is required')
-        self.assertIn('Usage: cover check [OPTIONS] input... mesh\n', self.run_cover('check', '--help')[0])
+        usage = self.run_cover('check', '--help')[0]
+        self.assertIn('Usage: cover check [OPTIONS] input... mesh\n', usage)
+        # Its targets are those of the run, no defaults.
+        self.assertRegex(usage, r'--max-angle DEG +Largest angle beside which regions are put')
+        self.assertRegex(usage, r'--min-angle DEG +Smallest angle beside which regions are put')
 
     def test_what_the_run_had_welded(self):
         (self.dir / 'a.poly').write_text('8 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 1.0004 0\n6 2 0\n7 2 1\n8 1.0004 1\n'
@@ -328,6 +346,12 @@ class Info(Case):
         first = self.run_cover('check', grains, 'g.vtu', '--speckle', '5', code=6)[0].splitlines()[0]
         self.assertTrue(first.endswith(': repeat --no-smooth here'), first)
         self.assertIn('Every promise holds', self.run_cover('check', grains, 'g.vtu', '--speckle', '5', '--no-smooth')[0])
+        # A manifest may hold anything, which neither a terminal nor a shell is to take for more.
+        manifest = json.loads((self.dir / 'g.json').read_text())
+        manifest['options'] = {'legend': "it's; rm\x1b[2J", 'speckle': '', 'no-smooth': 'true'}
+        self.write('g.json', json.dumps(manifest))
+        first = self.run_cover('check', grains, 'g.vtu', code=6)[0].splitlines()[0]
+        self.assertTrue(first.endswith(r""": repeat --legend 'it'\''s; rm\x1b[2J' --speckle '' --no-smooth here"""), first)
 
 
 if __name__ == '__main__':

@@ -44,6 +44,14 @@ std::string obtuse_triangles(const Verification& found) {
   return text;
 }
 
+/// Which targets are those of the run that made the mesh.
+const char* whose_text(const AngleTargets& targets) {
+  if (targets.is_largest_of_run && targets.is_smallest_of_run)
+    return ", those of the run that made it";
+  if (targets.is_largest_of_run) return ", the first that of the run that made it";
+  return targets.is_smallest_of_run ? ", the second that of the run that made it" : "";
+}
+
 }  // namespace
 
 std::string violations_text(const Verification& found) {
@@ -75,8 +83,7 @@ std::string sound_text(const Verification& found, std::size_t triangles, bool is
   if (const std::string counts = limits_text(limits); !counts.empty())
     text += fmt::format(
         "Regions beside targets of {:.6g} and {:.6g} degrees{}, and beside proven limits: {}\n",
-        targets.largest.in_degrees(), targets.smallest.in_degrees(),
-        targets.are_of_run ? ", those of the run that made it" : "", counts);
+        targets.largest.in_degrees(), targets.smallest.in_degrees(), whose_text(targets), counts);
   for (const std::string& what : found.unchecked)
     text += fmt::format("Not checked: {}\n", printable(what));
   return text;

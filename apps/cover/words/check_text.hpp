@@ -25,8 +25,8 @@ std::string violations_text(const Verification& found);
 struct AngleTargets {
   Angle largest = VerifyOptions().max_angle;
   Angle smallest = VerifyOptions().min_angle;
-  bool are_of_run =
-      false;  ///< the run that made the mesh had them, and they are not the usual ones
+  bool is_largest_of_run = false;  ///< that of the run that made the mesh, which tells its targets
+  bool is_smallest_of_run = false;
 };
 /// Of a mesh of so many triangles that breaks no promise: what was checked, and what was not.
 /// `is_all_met`: nothing else that was asked for has failed.

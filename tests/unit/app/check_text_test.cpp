@@ -78,8 +78,16 @@ TEST(CheckText, TargetsAreThoseOfTheRun) {
   found.limits.resize(1);
   EXPECT_NE(sound_text(found, 1, true).find("beside targets of 100 and 20 degrees, and beside"),
             std::string::npos);
-  EXPECT_NE(sound_text(found, 1, true, {Angle::degrees(90), Angle::degrees(20), true})
+  const auto text_of = [&](bool is_largest, bool is_smallest) {
+    return sound_text(found, 1, true,
+                      {Angle::degrees(90), Angle::degrees(20), is_largest, is_smallest});
+  };
+  EXPECT_NE(text_of(true, true)
                 .find("targets of 90 and 20 degrees, those of the run that made it, and beside"),
+            std::string::npos);
+  EXPECT_NE(text_of(true, false).find("20 degrees, the first that of the run that made it, and"),
+            std::string::npos);
+  EXPECT_NE(text_of(false, true).find("20 degrees, the second that of the run that made it, and"),
             std::string::npos);
 }
 

@@ -21,7 +21,6 @@
 #include <cover/periodic.hpp>
 #include <cover/pslg.hpp>
 #include <cover/read_mesh.hpp>
-#include <cover/read_option_table.hpp>
 #include <cover/read_origin.hpp>
 #include <cover/regions.hpp>
 #include <cover/result.hpp>
@@ -33,6 +32,7 @@
 #include "commands/check/layer_rows.hpp"
 #include "commands/check/named_groups.hpp"
 #include "commands/check/named_lines.hpp"
+#include "commands/check/own_run.hpp"
 #include "commands/check/rounded_points.hpp"
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
@@ -92,10 +92,18 @@ struct CheckCommand {
         ->type_name("WHEN")
         ->capture_default_str();
     library.add(app, OptionGroup::cleaning);
-    library.add_one(app, "max-angle");
-    library.add_one(app, "min-angle");
+    add_target("max-angle",
+               "Largest angle beside which regions are put; unless given that of the "
+               "run that made the mesh, where the mesh or its manifest tells it, else 100");
+    add_target("min-angle", "Smallest angle beside which regions are put; likewise, else 20");
     library.add_threads(app);
     add_verbosity(app, verbosity);
+  }
+
+  /// Adds an option that `cover mesh` has too, whose default is another here.
+  void add_target(const char* name, const std::string& help) {
+    library.add_one(app, name);
+    app.get_option(fmt::format("--{}", name))->description(help)->default_str("");
   }
 
   /// Takes the mesh from behind the inputs; false: there is none.
@@ -113,22 +121,17 @@ struct CheckCommand {
     if (!options) return options;
     options->hull = verify.hull;
     verify.threads = options->threads;
-    take_usual_targets(*options);
+    usual_targets.largest = options->max_angle;
+    usual_targets.smallest = options->min_angle;
+    take_targets(usual_targets);
     verify.bound = !no_bound;
     return options;
   }
 
-  /// The targets of the command line, else the defaults.
-  void take_usual_targets(const Options& options) {
-    verify.max_angle = options.max_angle;
-    verify.min_angle = options.min_angle;
-    are_targets_of_run = false;
-  }
-
-  /// Whether an option stands on the command line.
-  [[nodiscard]] bool has(const std::string& name) const {
-    const CLI::Option* option = app.get_option_no_throw("--" + name);
-    return option != nullptr && option->count() > 0;
+  void take_targets(const AngleTargets& those) {
+    targets = those;
+    verify.max_angle = those.largest;
+    verify.min_angle = those.smallest;
   }
 
   [[nodiscard]] std::vector<NamedFile> read_files() const {
@@ -146,7 +149,8 @@ struct CheckCommand {
   std::vector<std::string> layers;
   std::string stream = "auto";
   Verbosity verbosity;
-  bool are_targets_of_run = false;  ///< those of `verify`
+  AngleTargets usual_targets;  ///< of the command line, else the defaults
+  AngleTargets targets;        ///< those of `verify`
 };
 
 /// What a mesh is checked against.
@@ -184,10 +188,8 @@ int print_lines(const NamedLines& lines) {
 /// What holds, and what was not looked at: the last words of a check that ends with `code`.
 void print_summary(const CheckCommand& command, const Verification& found, std::size_t triangles,
                    const NamedLines& lines, int code) {
-  const AngleTargets targets{command.verify.max_angle, command.verify.min_angle,
-                             command.are_targets_of_run};
   if (found.violations.empty())
-    fmt::print("{}", sound_text(found, triangles, code == exit_ok, targets));
+    fmt::print("{}", sound_text(found, triangles, code == exit_ok, command.targets));
   fmt::print("{}", unchecked_lines_text(lines));
 }
 
@@ -205,13 +207,27 @@ bool wants_whole(const CheckCommand& command, const Subject& subject) {
          !subject.periodic.empty() || !command.layers.empty();
 }
 
+/// Forgets the run of a mesh of so many triangles, where it was that of another mesh.
+void heed_count(CheckCommand& command, std::optional<MeshOrigin>& origin, std::size_t triangles) {
+  if (!origin || origin->triangles == 0 || origin->triangles == triangles) return;
+  origin.reset();
+  command.take_targets(command.usual_targets);
+}
+
 /// Checks a large mesh in parts; nothing where it is to be read as a whole.
-std::optional<int> check_parts(const CheckCommand& command, const MeshSource& source,
-                               Subject& subject, const Options& options, spdlog::logger& log) {
+std::optional<int> check_parts(CheckCommand& command, const MeshSource& source,
+                               std::optional<MeshOrigin>& origin, Subject& subject,
+                               const Options& options, spdlog::logger& log) {
   if (wants_whole(command, subject) || !is_to_stream(command.stream, source.file()))
     return std::nullopt;
   subject.prepared.report = {};
-  if (const auto parts = check_in_parts(subject.prepared, source.file(), command.verify, options)) {
+  auto parts = check_in_parts(subject.prepared, source.file(), command.verify, options);
+  if (parts && origin) {
+    heed_count(command, origin, parts->triangles);
+    if (!origin)  // counted beside targets of another mesh
+      parts = check_in_parts(subject.prepared, source.file(), command.verify, options);
+  }
+  if (parts) {
     const int code = print_promises(parts->found);
     if (!command.verbosity.quiet)
       print_summary(command, parts->found, parts->triangles,
@@ -261,29 +277,11 @@ std::size_t missing_points(const Pslg& pslg, const TriangleSoup& mesh) {
                     [&](Point p) { return !std::binary_search(there.begin(), there.end(), p); }));
 }
 
-/// The options of the run that made the mesh which say how the input is understood, but those that
-/// this command has too.
-std::vector<std::string> options_to_repeat(const CheckCommand& command, const MeshOrigin& origin) {
-  std::vector<std::string> options;
-  if (origin.scale != 1 && !command.has("scale"))
-    options.push_back(fmt::format("--scale {}", describe(origin.scale)));
-  for (const auto& [name, value] : origin.provenance.settings) {
-    const OptionEntry* const cleaning = find_option(name);
-    const ReadOptionEntry* const reading = find_read_option(name);
-    const bool is_of_input =
-        reading != nullptr || (cleaning != nullptr && cleaning->group == OptionGroup::cleaning);
-    if (!is_of_input || command.has(name)) continue;
-    const bool is_flag = (reading != nullptr ? reading->kind : cleaning->kind) == OptionKind::flag;
-    options.push_back(is_flag ? fmt::format("--{}", name) : fmt::format("--{} {}", name, value));
-  }
-  return options;
-}
-
 /// The options that can make other points of the input, but those that were given.
 std::vector<std::string> options_that_move(const CheckCommand& command) {
   std::vector<std::string> options;
   for (const char* const name : {"weld", "overlap"})
-    if (!command.has(name)) options.push_back(fmt::format("--{}", name));
+    if (!has_option(command.app, name)) options.push_back(fmt::format("--{}", name));
   for (std::string& option : command.input.other_readings()) options.push_back(std::move(option));
   return options;
 }
@@ -295,7 +293,7 @@ void print_hints(const CheckCommand& command, const std::optional<MeshOrigin>& o
   const std::size_t missing = found.violations.empty() ? 0 : missing_points(pslg, mesh);
   if (missing > 0) {
     const std::vector<std::string> of_run =
-        origin ? options_to_repeat(command, *origin) : std::vector<std::string>();
+        origin ? options_to_repeat(command.app, *origin) : std::vector<std::string>();
     fmt::print("{}", missing_text(missing, of_run, options_that_move(command)));
     return;
   }
@@ -369,31 +367,11 @@ int check_whole(const CheckCommand& command, const std::string& mesh_path,
   return code;
 }
 
-/// Whether the origin can be that of a mesh of so many triangles.
-bool is_of(const MeshOrigin& origin, std::size_t triangles) {
-  return origin.triangles == 0 || origin.triangles == triangles;
-}
-
 /// The run that made the mesh. What of it a .vtkhdf alone tells is left, where that is looked at in
 /// parts: it would be read as a whole.
 std::optional<MeshOrigin> origin_of(const CheckCommand& command, const std::string& path) {
   if (extension_of(path) == ".vtkhdf" && is_to_stream(command.stream, path)) return std::nullopt;
   return read_origin(path);
-}
-
-/// Puts the mesh beside the targets of its own run, where the command line has none.
-void take_targets(CheckCommand& command, const MeshOrigin& origin) {
-  if (command.has("max-angle") || command.has("min-angle")) return;
-  Options options;
-  for (const auto& [name, value] : origin.provenance.settings) {
-    if (name == "method" && value != "quality") return;  // the others have none
-    if (name != "max-angle" && name != "min-angle") continue;
-    const OptionEntry& entry = *find_option(name);
-    if (!entry.set(entry, value, options)) return;  // written by a program with other ranges
-    command.are_targets_of_run = true;
-  }
-  command.verify.max_angle = options.max_angle;
-  command.verify.min_angle = options.min_angle;
 }
 
 }  // namespace
@@ -415,14 +393,12 @@ int run_check(Arguments arguments) {
   const Result<MeshSource> source = MeshSource::open(command.mesh_path);
   if (!source) return fail(*log, source.error());
   std::optional<MeshOrigin> origin = origin_of(command, source->file());
-  if (origin) take_targets(command, *origin);
-  if (const auto code = check_parts(command, *source, *subject, *options, *log)) return *code;
+  if (origin) command.take_targets(targets_with_run(command.app, *origin, command.usual_targets));
+  if (const auto code = check_parts(command, *source, origin, *subject, *options, *log))
+    return *code;
   Result<MeshTriangles> mesh = read_whole(*source, *log);
   if (!mesh) return fail(*log, mesh.error());
-  if (origin && !is_of(*origin, mesh->soup.triangles.size())) {
-    origin.reset();
-    command.take_usual_targets(*options);
-  }
+  heed_count(command, origin, mesh->soup.triangles.size());
   return check_whole(command, source->file(), origin, *subject, *mesh);
 }
 
