@@ -76,6 +76,7 @@ TEST(CheckText, MissingPointsNameOptions) {
 TEST(CheckText, TargetsAreThoseOfTheRun) {
   Verification found;
   found.limits.resize(1);
+  found.limits[0].of_largest = found.limits[0].of_smallest = Standing::open;
   EXPECT_NE(sound_text(found, 1, true).find("beside targets of 100 and 20 degrees, and beside"),
             std::string::npos);
   const auto text_of = [&](bool is_largest, bool is_smallest) {
