@@ -17,11 +17,18 @@
 
 #include "base/containers/order.hpp"
 #include "base/numbers.hpp"
+#include "geom/box.hpp"
+#include "geom/isometry.hpp"
+#include "geom/ulp.hpp"
+#include "geom/vector.hpp"
 #include "io/text/text.hpp"
 #include "io/text/token_reader.hpp"
 
 namespace cover {
 namespace {
+
+constexpr double kRounding = 0x1p-30;          ///< as periodic sides of inputs are matched
+constexpr double kRoundingOfDigits = 0x1p-49;  ///< of the largest coordinate
 
 /// A curve that is the image of another one.
 struct CurveLink {
@@ -43,6 +50,21 @@ std::optional<std::string_view> section_of(std::string_view text) {
   if (begin == std::string_view::npos) return std::nullopt;
   const std::string_view rest = text.substr(begin + kBegin.size());
   return rest.substr(0, rest.find(kEnd));
+}
+
+/// False where a map is no isometry of the plane up to rounding. One that turns by no more than
+/// that is made a translation: its centre would be rounding alone.
+bool settle_isometry(std::array<double, 16>& m) {
+  double &xx = m[0], &xy = m[1], &yx = m[4], &yy = m[5];
+  const auto is_small = [](double x) { return std::abs(x) <= kRounding; };  // NaN is not
+  if (!is_small(xx * xx + yx * yx - 1) || !is_small(xy * xy + yy * yy - 1) ||
+      !is_small(xx * xy + yx * yy))
+    return false;
+  if (is_small(xx - 1) && is_small(xy) && is_small(yx) && is_small(yy - 1)) {
+    xx = yy = 1;
+    xy = yx = 0;
+  }
+  return std::all_of(m.begin(), m.end(), [](double x) { return std::isfinite(x); });
 }
 
 /// The links between curves; nothing where one cannot be understood.
@@ -75,9 +97,12 @@ std::optional<std::vector<CurveLink>> links_in(std::string_view section, const M
       const auto image = index.find(tokens.integer("a node"));
       const auto original = index.find(tokens.integer("a node"));
       if (image == index.end() || original == index.end()) return std::nullopt;
-      link.original_of.emplace(image->second, original->second);
+      const auto [at, is_new] = link.original_of.emplace(image->second, original->second);
+      if (!is_new && at->second != original->second) return std::nullopt;
     }
-    if (dimension == 1) links.push_back(std::move(link));
+    if (dimension != 1) continue;
+    if (!settle_isometry(link.map)) return std::nullopt;
+    links.push_back(std::move(link));
   }
   if (tokens.failed()) return std::nullopt;
   return links;
@@ -87,7 +112,7 @@ Isometry isometry_of(const std::array<double, 16>& m) {
   return {{m[0], 0}, {m[1], 0}, {m[4], 0}, {m[5], 0}, {m[3], 0}, {m[7], 0}};
 }
 
-/// A rule with the map, which has to be an isometry for that.
+/// REQUIRES: the map is a settled isometry
 PeriodicRule rule_of(std::string from, std::string to, const std::array<double, 16>& m) {
   PeriodicRule rule{std::move(from), std::move(to), PeriodicRule::Map::translation, {}, {}};
   const double xx = m[0], xy = m[1], yx = m[4], yy = m[5];
@@ -110,40 +135,46 @@ class MshPairs {
   explicit MshPairs(const MshFile& file) : file_(file) {
     for (std::size_t e = 0; e < file.elements.size(); ++e)
       if (file.elements[e].dimension == 1) lines_[file.elements[e].entity].push_back(e);
+    tolerance_ = kRounding * box_of(file.points).extent() +
+                 kRoundingOfDigits * largest_coordinate(file.points);
   }
 
-  /// False where the image of a line is none.
+  /// False where the image of a line is none, or the line itself, or where the map does not take
+  /// the originals to their images.
   bool add(const CurveLink& link) {
     const auto images = lines_.find(link.image), originals = lines_.find(link.original);
-    if (images == lines_.end() || originals == lines_.end()) return false;
-    std::set<std::array<std::uint32_t, 2>> known;  // edges
-    for (const std::size_t e : originals->second) {
-      const auto ends = file_.nodes_of(file_.elements[e]);
-      known.insert({ends[0], ends[1]});
-    }
-    PeriodicNodes& nodes = all_[{name_of(originals->second), name_of(images->second), link.map}];
+    if (images == lines_.end() || originals == lines_.end() || images == originals) return false;
+    for (const auto& [image, original] : link.original_of)
+      if (!is_image(link, image, original)) return false;
+    const EdgesOfCurve& known = edges_of(link.original, originals->second);
+    auto& [nodes, seen] = all_[{name_of(originals->second), name_of(images->second), link.map}];
     for (const std::size_t e : images->second) {
       const auto ends = file_.nodes_of(file_.elements[e]);
       const std::uint32_t a = original_of(link, ends[0]), b = original_of(link, ends[1]);
+      if (!is_image(link, ends[0], a) || !is_image(link, ends[1], b)) return false;
       // As the original runs, which its image need not.
-      if (known.contains({a, b}))
-        nodes.edges.push_back({a, b, ends[0], ends[1]});
-      else if (known.contains({b, a}))
-        nodes.edges.push_back({b, a, ends[1], ends[0]});
-      else
-        return false;
+      std::array<std::uint32_t, 4> edge{a, b, ends[0], ends[1]};
+      if (!known.contains({a, b})) {
+        if (!known.contains({b, a})) return false;
+        edge = {b, a, ends[1], ends[0]};
+      }
+      if (!seen.insert(edge).second) continue;  // a link may stand there twice
+      nodes.edges.push_back(edge);
       nodes.vertices.push_back({a, ends[0]});
       nodes.vertices.push_back({b, ends[1]});
     }
     return true;
   }
 
+  /// Nothing where the centre of a rotation cannot be told.
   std::vector<PeriodicNodes> take() {
     std::vector<PeriodicNodes> all;
-    for (auto& [key, nodes] : all_) {
+    for (auto& [key, pairs] : all_) {
       const auto& [from, to, map] = key;
+      PeriodicNodes& nodes = pairs.nodes;
       sort_unique(nodes.vertices);
       nodes.rule = rule_of(from, to, map);
+      if (!std::isfinite(nodes.rule.centre.x) || !std::isfinite(nodes.rule.centre.y)) return {};
       nodes.map = isometry_of(map);
       all.push_back(std::move(nodes));
     }
@@ -151,6 +182,33 @@ class MshPairs {
   }
 
  private:
+  using EdgesOfCurve = std::set<std::array<std::uint32_t, 2>>;
+  /// The nodes of one rule, with its edges again to find them.
+  struct Pairs {
+    PeriodicNodes nodes;
+    std::set<std::array<std::uint32_t, 4>> seen;
+  };
+
+  /// Of each curve once: one may have images by the thousands.
+  const EdgesOfCurve& edges_of(long curve, const std::vector<std::size_t>& lines) {
+    EdgesOfCurve& edges = edges_[curve];
+    if (!edges.empty()) return edges;
+    for (const std::size_t e : lines) {
+      const auto ends = file_.nodes_of(file_.elements[e]);
+      edges.insert({ends[0], ends[1]});
+    }
+    return edges;
+  }
+
+  /// A node that a rotation or a mirror keeps is its own image; no translation keeps one.
+  [[nodiscard]] bool is_image(const CurveLink& link, std::uint32_t image,
+                              std::uint32_t original) const {
+    const std::array<double, 16>& m = link.map;
+    if (image == original && m[0] == 1 && m[5] == 1) return false;
+    const Point mapped = image_of(isometry_of(m), file_.points[original]);
+    return length(mapped - file_.points[image]) <= tolerance_;  // NaN is not
+  }
+
   /// A node that has no partner is its own image.
   static std::uint32_t original_of(const CurveLink& link, std::uint32_t node) {
     const auto found = link.original_of.find(node);
@@ -165,7 +223,9 @@ class MshPairs {
 
   const MshFile& file_;
   std::map<long, std::vector<std::size_t>> lines_;  ///< elements, by curve
-  std::map<std::tuple<std::string, std::string, std::array<double, 16>>, PeriodicNodes> all_;
+  std::map<std::tuple<std::string, std::string, std::array<double, 16>>, Pairs> all_;
+  std::map<long, EdgesOfCurve> edges_;
+  double tolerance_ = 0;
 };
 
 }  // namespace

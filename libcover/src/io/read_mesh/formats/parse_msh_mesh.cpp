@@ -10,11 +10,11 @@ Result<MeshFile> parse_msh_mesh(std::string_view text, const std::string& source
   if (!file) return std::move(file).error();
   MeshCollector collector;
   MeshFile& mesh = collector.mesh;
+  mesh.periodic = periodic_of_msh(text, *file);  // before its points are taken
   mesh.soup.points = std::move(file->points);
   mesh.point_arrays = std::move(file->point_arrays);
   mesh.has_periodic_points = file->has_periodic_points;
   mesh.parts = file->parts;
-  mesh.periodic = periodic_of_msh(text, *file);
   for (const PlaneField::Array& array : file->element_arrays)
     mesh.arrays.push_back({array.name, {}});
   for (std::size_t e = 0; e < file->elements.size(); ++e) {
