@@ -41,7 +41,8 @@ Point point_on_circle(Point centre, double radius, double degrees) {
 void CurveCutter::add(const Arc& arc) {
   Circle& circle = circles_[{arc.centre.x, arc.centre.y, arc.radius}];
   circle.step = std::min(circle.step, arc.step);
-  if (arc.is_counted) circle.longest = std::max(circle.longest, arc.step);
+  const Arc& coarsest = circle.coarsest;
+  if (arc.chords > 0 && (coarsest.chords == 0 || arc.step > coarsest.step)) circle.coarsest = arc;
   if (arc.full() && arc.from == 0) return;  // a plain circle has no ends
   circle.ends.push_back(reduced_degrees(arc.from));
   circle.ends.push_back(reduced_degrees(arc.to));
@@ -69,10 +70,7 @@ bool CurveCutter::cut(Circle& circle, std::size_t most) {
   return true;
 }
 
-std::optional<std::vector<Point>> CurveCutter::points(const Arc& arc, std::size_t most) {
-  Circle& circle = circles_.at({arc.centre.x, arc.centre.y, arc.radius});
-  if (circle.angles.empty() && !cut(circle, most)) return std::nullopt;
-
+std::array<std::size_t, 2> CurveCutter::chords_of(const Circle& circle, const Arc& arc) {
   const std::vector<double>& angles = circle.angles;
   const auto index = [&](double angle) {
     const auto at = std::lower_bound(angles.begin(), angles.end(), reduced_degrees(angle));
@@ -81,29 +79,42 @@ std::optional<std::vector<Point>> CurveCutter::points(const Arc& arc, std::size_
   const bool clockwise = arc.to < arc.from;
   const std::size_t first = index(clockwise ? arc.to : arc.from);
   const std::size_t last = index(clockwise ? arc.from : arc.to);
-  const std::size_t steps =
-      arc.full() ? angles.size() : (last + angles.size() - first) % angles.size();
+  return {first, arc.full() ? angles.size() : (last + angles.size() - first) % angles.size()};
+}
+
+std::optional<std::vector<Point>> CurveCutter::points(const Arc& arc, std::size_t most) {
+  Circle& circle = circles_.at({arc.centre.x, arc.centre.y, arc.radius});
+  if (circle.angles.empty() && !cut(circle, most)) return std::nullopt;
+
+  const std::vector<double>& angles = circle.angles;
+  const auto [first, steps] = chords_of(circle, arc);
   if (steps >= most) return std::nullopt;
 
   std::vector<Point> points;
   points.reserve(steps + 1);
   for (std::size_t k = 0; k <= steps; ++k)
     points.push_back(point_on_circle(arc.centre, arc.radius, angles[(first + k) % angles.size()]));
-  if (clockwise) std::reverse(points.begin(), points.end());
+  if (arc.to < arc.from) std::reverse(points.begin(), points.end());
   return points;
 }
 
 std::vector<std::string> CurveCutter::finer_than_asked() const {
   std::vector<std::string> sentences;
   for (const auto& [key, circle] : circles_) {
+    const Arc& arc = circle.coarsest;
     // The same number may be divided from another angle, and so be rounded otherwise.
-    if (circle.longest <= circle.step * (1 + 1e-9)) continue;
-    const auto& [x, y, radius] = key;
-    const auto chords = [](double step) { return pieces(360, step); };
+    if (arc.chords == 0 || circle.angles.empty()) continue;
+    if (arc.step <= circle.step * (1 + 1e-9)) continue;
+    const std::size_t chords = chords_of(circle, arc)[1];
+    if (chords <= static_cast<std::size_t>(arc.chords)) continue;
+    const bool is_circle = arc.full() && arc.from == 0;
     sentences.push_back(fmt::format(
-        "curves on the circle around {} of radius {} ask for {} and for {} chords to a full turn: "
-        "they share their points, so the larger number counts for all of them",
-        describe(Point{x, y}), describe(radius), chords(circle.longest), chords(circle.step)));
+        "the {} around {} of radius {}{} asks for {} and gets {}: curves on one circle share their "
+        "points, so the shortest chords count for all of them",
+        is_circle ? "circle" : "arc", describe(arc.centre), describe(arc.radius),
+        is_circle ? ""
+                  : fmt::format(" from {} to {} degrees", describe(arc.from), describe(arc.to)),
+        counted(static_cast<std::size_t>(arc.chords), "chord"), chords));
   }
   return sentences;
 }

@@ -2,6 +2,7 @@
 // or overlapping pieces of it, get identical points.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -22,8 +23,8 @@ struct Arc {
   double radius = 0;
   double from = 0;
   double to = 360;
-  double step = 120;        ///< largest angle that one chord may span
-  bool is_counted = false;  ///< the step is that of so many chords, not the most that may be
+  double step = 120;  ///< largest angle that one chord may span
+  long chords = 0;    ///< as many were asked for, and the step is theirs; 0: as the step says
   [[nodiscard]] bool full() const { return to - from == 360 || from - to == 360; }
 };
 
@@ -51,18 +52,23 @@ class CurveCutter {
   /// REQUIRES: the arc was added, and no other one since the first call
   std::optional<std::vector<Point>> points(const Arc& arc, std::size_t most);
 
-  /// A sentence for each circle whose arcs ask for different numbers of chords.
+  /// A sentence for each circle that has an arc of more chords than it asks for, since another one
+  /// asks for shorter ones; of several such arcs the one that asks for the longest is told.
+  ///
+  /// REQUIRES: points of all arcs were asked for
   [[nodiscard]] std::vector<std::string> finer_than_asked() const;
 
  private:
   struct Circle {
     std::vector<double> ends;  ///< in [0, 360)
     double step = 120;
-    double longest = 0;          ///< the largest step of so many chords; 0: none
+    Arc coarsest;                ///< of the largest step, if Arc::chords says how many chords
     std::vector<double> angles;  ///< of all points, ascending; empty: not cut yet
   };
   using Key = std::tuple<double, double, double>;
   static bool cut(Circle& circle, std::size_t most);
+  /// The first of its angles that an arc has, and how many chords follow.
+  static std::array<std::size_t, 2> chords_of(const Circle& circle, const Arc& arc);
 
   std::map<Key, Circle> circles_;
 };

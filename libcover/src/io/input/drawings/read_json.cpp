@@ -138,7 +138,8 @@ class InputReader {
     if (!(sweep > 0 && sweep <= 360))
       json_.fail(*curve, "an arc spans more than 0 and at most 360 degrees");
     arc.step = read_step(*curve, arc.radius, sweep, circle ? 3 : 1);
-    arc.is_counted = JsonReader::member(*curve, "chords") != nullptr;
+    if (const Json* chords = JsonReader::member(*curve, "chords"))
+      arc.chords = json_.integer(*chords);
     if (json_.failed()) return std::nullopt;
     return arc;
   }

@@ -76,20 +76,27 @@ TEST(CurveCutter, GivesNeighboursTheSamePointsWhateverTheirExtent) {
 }
 
 TEST(CurveCutter, TellsOfNumbersOfChordsThatDoNotCount) {
-  const Arc of_8{{1, 2}, 0.5, 0, 360, 45, true}, of_12{{1, 2}, 0.5, 0, 360, 30, true};
-  const Arc third_of_12{{1, 2}, 0.5, 10, 130, 120.0 / 4, true};
-  const Arc other{{1, 2}, 0.7, 0, 360, 45, true}, at_most{{1, 2}, 0.5, 0, 360, 50};
+  const Arc of_8{{1, 2}, 0.5, 0, 360, 45, 8}, of_12{{1, 2}, 0.5, 0, 360, 30, 12};
+  const Arc third_of_12{{1, 2}, 0.5, 10, 130, 120.0 / 4, 4};
+  const Arc other{{1, 2}, 0.7, 0, 360, 45, 8}, at_most{{1, 2}, 0.5, 0, 360, 50};
+  using Sentences = std::vector<std::string>;
   const auto told = [](const std::vector<Arc>& arcs) {
     CurveCutter cutter;
     for (const Arc& arc : arcs) cutter.add(arc);
+    for (const Arc& arc : arcs) cut(cutter, arc);
     return cutter.finer_than_asked();
   };
   EXPECT_TRUE(told({of_8, of_8, other, at_most}).empty());
   EXPECT_TRUE(told({of_12, third_of_12}).empty());
   EXPECT_EQ(told({of_12, of_8, other}),
-            std::vector<std::string>{"curves on the circle around (1, 2) of radius 0.5 ask for 8 "
-                                     "and for 12 chords to a full turn: they share their points, "
-                                     "so the larger number counts for all of them"});
+            Sentences{"the circle around (1, 2) of radius 0.5 asks for 8 chords and gets 12: "
+                      "curves on one circle share their points, so the shortest chords count for "
+                      "all of them"});
+  const Arc of_5{{0, 0}, 1, 0, 110, 110.0 / 5, 5}, of_6{{0, 0}, 1, 240, 110, 130.0 / 6, 6};
+  EXPECT_EQ(told({of_5, of_6}),
+            Sentences{"the arc around (0, 0) of radius 1 from 0 to 110 degrees asks for 5 chords "
+                      "and gets 6: curves on one circle share their points, so the shortest chords "
+                      "count for all of them"});
 }
 
 TEST(CurveCutter, GivesTheSameArcBackwardsFromItsOtherEnd) {

@@ -104,7 +104,7 @@ TEST(ReadJson, TellsOfOneCircleWithTwoNumbersOfChords) {
     {"circle": {"centre": [0, 0], "radius": 1, "chords": 12}}]})");
   EXPECT_EQ(other.points.size(), 12u);
   ASSERT_EQ(other.warnings.size(), 1u);
-  EXPECT_NE(other.warnings[0].find("ask for 8 and for 12 chords"), std::string::npos);
+  EXPECT_NE(other.warnings[0].find("asks for 8 chords and gets 12"), std::string::npos);
 }
 
 TEST(ReadJson, ReadsLayersOfLines) {
