@@ -174,8 +174,10 @@ class GeoReader {
       if (const Json* p = priority_.of(*properties)) own.priority = read_number(*p);
       if (const Json* s = size_.of(*properties)) own.size = read_size(*s, number);
     }
-    if (own.material.empty())
+    if (own.material.empty()) {
+      has_made_up_ |= own.name.empty();
       own.material = own.name.empty() ? fmt::format("feature_{}", number) : own.name;
+    }
     own.feature = attributes_.add_feature();
     for (std::size_t k = 0; k < attributes_.names().size(); ++k)
       attributes_.set(k, read_attribute(feature, attributes_.names()[k], number));
@@ -223,6 +225,7 @@ class GeoReader {
   void warn_of_capitals() {
     for (const Meaning* meaning : {&material_, &name_, &priority_, &size_}) {
       if (meaning->is_there || meaning->is_asked) continue;
+      if (meaning == &name_ && !has_made_up_) continue;  // no name is missed
       const auto meant = std::find_if(known_.begin(), known_.end(), [&](const std::string& name) {
         return name != meaning->name && is_alike(name, meaning->name) && !is_read(name);
       });
@@ -230,8 +233,7 @@ class GeoReader {
       std::string option = meaning->option;
       std::replace(option.begin(), option.end(), '_', '-');
       input_.warnings.push_back(fmt::format(
-          "no feature has the property '{}', and '{}' with capitals counts for nothing{}",
-          meaning->name, *meant,
+          "{}, and '{}' with capitals counts for nothing{}", lack_of(meaning->name), *meant,
           option.empty() ? "" : fmt::format(": --{} {} takes it", option, *meant)));
     }
   }
@@ -250,15 +252,21 @@ class GeoReader {
            std::find(kept.begin(), kept.end(), property) != kept.end();
   }
 
+  [[nodiscard]] std::string lack_of(const std::string& property) const {
+    return known_.contains(property)
+               ? fmt::format("the property '{}' is null in every feature", property)
+               : fmt::format("no feature has the property '{}'", property);
+  }
+
   /// A property that was asked for and that no feature has.
   std::optional<Error> missing_property() {
     AskedNames asked;
     const auto note = [&](const char* option, const std::string& name, bool is_there) {
-      asked.note(option, name, is_there,
-                 known_.contains(name)
-                     ? fmt::format("the property '{}' is null in every feature", name)
-                     : fmt::format("no feature has the property '{}'{}", name,
-                                   did_you_mean(name, std::vector(known_.begin(), known_.end()))));
+      asked.note(
+          option, name, is_there,
+          known_.contains(name)
+              ? lack_of(name)
+              : lack_of(name) + did_you_mean(name, std::vector(known_.begin(), known_.end())));
     };
     for (const Meaning* meaning : {&material_, &name_, &priority_})
       if (meaning->is_asked) note(meaning->option, meaning->name, meaning->is_there);
@@ -361,6 +369,7 @@ class GeoReader {
   Point first_outside_;
   Meaning material_, name_, priority_;
   Meaning size_{"", "", "size"};
+  bool has_made_up_ = false;  ///< a material that no property names
   AttributeTable attributes_;
 };
 

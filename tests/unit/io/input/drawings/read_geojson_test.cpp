@@ -75,6 +75,10 @@ TEST(ReadGeojson, WarnsOfPropertiesThatDifferInCapitals) {
                       "no feature has the property 'size', and 'SIZE' with capitals counts for "
                       "nothing"}));
   EXPECT_EQ(warnings(R"({"material": "Si", "Material": "Ge"})"), Warnings{});
+  EXPECT_EQ(warnings(R"({"name": null, "NAME": "x"})"),
+            (Warnings{"the property 'name' is null in every feature, and 'NAME' with capitals "
+                      "counts for nothing: --name-field NAME takes it"}));
+  EXPECT_EQ(warnings(R"({"material": "Si", "NAME": "x"})"), Warnings{});  // it needs no name
   ReadOptions options;
   options.material_field = "Material";
   options.keep_fields = {"NAME"};
