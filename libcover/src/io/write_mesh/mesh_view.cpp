@@ -116,18 +116,17 @@ class LineGroups {
   LineGroups(const RegionTable& table, const MeshView& view) : table_(table), view_(view) {}
 
   /// A contact by its name, a marked line by its marker as if that were the name of a contact, any
-  /// other line by the groups on its sides.
+  /// other line by its name and the groups on its sides: what lies between groups of two names has
+  /// one name, whichever of them is on the left.
   std::uint32_t of(InterfaceId id, int marker) {
     // A side of the hull that no segment prescribes.
     if (id == kNoInterface) return find({InterfaceKind::outline, 0, 0, "hull"});
     const Interface& line = table_.interface(id);
     if (line.kind == InterfaceKind::contact) return find({line.kind, 0, 0, line.name});
     if (marker != 0) return find({InterfaceKind::contact, 0, 0, std::to_string(marker)});
-    // What lies between groups of two names has one name, whichever of them is on the left.
-    const auto [low, high] = std::minmax({group_of(line.left), group_of(line.right)});
-    const bool has_order = line.kind != InterfaceKind::interface;
-    return has_order ? find({line.kind, group_of(line.left), group_of(line.right), line.name})
-                     : find({line.kind, low, high, line.name});
+    std::uint32_t left = group_of(line.left), right = group_of(line.right);
+    if (line.kind == InterfaceKind::interface && right < left) std::swap(left, right);
+    return find({line.kind, left, right, line.name});
   }
 
   std::vector<Group> finish() {
@@ -137,7 +136,7 @@ class LineGroups {
   }
 
  private:
-  /// Kind, groups on the left and on the right counted from 1 (of an interface the lower one first),
+  /// Kind, groups on the left and on the right counted from 1 (the lower first, of an interface),
   /// name.
   using Key = std::tuple<InterfaceKind, std::uint32_t, std::uint32_t, std::string>;
 
