@@ -2,7 +2,6 @@
 // for byte, for any number of ranks.
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,11 +18,9 @@
 #include "rank_share_out.hpp"
 #include "serve.hpp"
 #include "terminal/console.hpp"
-#include "terminal/interrupt.hpp"
 
 namespace {
 
-using cover::app::Interrupt;
 using cover::mpi::RankCores;
 
 constexpr const char* kHelp =
@@ -52,7 +49,7 @@ void warn_of_unused_cores(const std::vector<std::string>& words, const RankCores
 }
 
 /// What rank 0 does.
-int lead(const std::vector<std::string>& words, const RankCores& cores, Interrupt& interrupt) {
+int lead(const std::vector<std::string>& words, const RankCores& cores) {
   if (words.empty() || words[0] == "-h" || words[0] == "--help" || words[0] == "help") {
     std::fputs(kHelp, words.empty() ? stderr : stdout);
     return words.empty() ? cover::app::exit_usage : cover::app::exit_ok;
@@ -66,14 +63,9 @@ int lead(const std::vector<std::string>& words, const RankCores& cores, Interrup
     const auto share_out = [&](cover::RegionJobs& jobs) {
       return cover::mpi::share_out_among_ranks(jobs, cores);
     };
-    const auto write = [&](const cover::Bytes& plan, const auto& here) {
-      return cover::mpi::write_among_ranks(plan, here, interrupt.token());
-    };
-    const auto read = [&](const cover::FilesToRead& files, const auto& here) {
-      return cover::mpi::read_among_ranks(files, here, interrupt.token());
-    };
-    return cover::app::run_mesh({words.begin() + 1, words.end()},
-                                {share_out, write, read, &interrupt});
+    return cover::app::run_mesh(
+        {words.begin() + 1, words.end()},
+        {share_out, cover::mpi::write_among_ranks, cover::mpi::read_among_ranks});
   }
   cover::app::print_on_stderr(
       fmt::format("cover-mpi: error: '{}' is no command of cover-mpi, which has only 'mesh'; the "
@@ -82,20 +74,17 @@ int lead(const std::vector<std::string>& words, const RankCores& cores, Interrup
   return cover::app::exit_usage;
 }
 
-int guarded_serve(int rank, const RankCores& cores, const Interrupt& interrupt) {
+int guarded_serve(int rank, const RankCores& cores) {
   const std::string name = fmt::format("cover-mpi: rank {}", rank);
   return cover::app::guarded(name, [&] {
-    const cover::Status served = cover::mpi::serve(cores, interrupt.token());
-    return served ? cover::app::exit_ok : cover::app::exit_code_of(served.error().code);
+    cover::mpi::serve(cores);
+    return cover::app::exit_ok;
   });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  // mpirun ends its ranks with SIGTERM, and each removes its temporary files then. MPI's threads
-  // are to inherit that it is blocked: one that does not block it would take it, and end the rank.
-  Interrupt interrupt;
   int level = MPI_THREAD_SINGLE;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &level);
   int rank = 0;
@@ -108,18 +97,13 @@ int main(int argc, char** argv) {
   }
   const std::vector<std::string> words(argv + 1, argv + argc);
   const RankCores cores = cover::mpi::find_rank_cores();
-  const int code =
-      rank == 0 ? cover::app::guarded("cover-mpi", [&] { return lead(words, cores, interrupt); })
-                : guarded_serve(rank, cores, interrupt);
-  // A run that was interrupted waits for nobody: not for mpirun either, which is ending its ranks
-  // then, and answers MPI_Abort() a second later; where one has ended so, it ends the others.
-  if (code == cover::app::exit_interrupted && cover::mpi::rank_count() > 1) std::_Exit(code);
-  // Nor does a rank that cannot go on.
-  if (code == cover::app::exit_internal || code == cover::app::exit_memory ||
-      (rank > 0 && code != cover::app::exit_ok))
+  const int code = rank == 0 ? cover::app::guarded("cover-mpi", [&] { return lead(words, cores); })
+                             : guarded_serve(rank, cores);
+  // A rank that cannot go on, and a run that was interrupted, wait for nobody.
+  if (code == cover::app::exit_interrupted || code == cover::app::exit_internal ||
+      code == cover::app::exit_memory || (rank > 0 && code != cover::app::exit_ok))
     MPI_Abort(MPI_COMM_WORLD, code);
   if (rank == 0) cover::mpi::dismiss_ranks();
-  interrupt.finish();
   MPI_Finalize();
   return code;
 }

@@ -99,15 +99,12 @@ std::optional<Message> receive_if_any() {
   return message;
 }
 
-std::optional<Message> receive(const std::stop_token& stop) {
-  while (!stop.stop_requested()) {
-    if (std::optional<Message> message = receive_if_any()) return message;
+Message receive() {
+  while (true) {
+    if (std::optional<Message> message = receive_if_any()) return *std::move(message);
     rest();
   }
-  return std::nullopt;
 }
-
-Error interrupted() { return {ErrorCode::cancelled, "interrupted", {}, {}}; }
 
 void send(std::span<const std::byte> bytes, int rank, Tag tag) {
   const std::size_t size = bytes.size();

@@ -8,7 +8,6 @@
 #include <list>
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -60,10 +59,8 @@ int rank_count();
 
 /// The next message from any rank, if one is there.
 std::optional<Message> receive_if_any();
-/// Waits for a message without taking the processor from others; nothing: `stop` asks for the end.
-std::optional<Message> receive(const std::stop_token& stop);
-/// The error of a rank that is asked to end.
-Error interrupted();
+/// Waits for a message without taking the processor from others.
+Message receive();
 /// Returns when the bytes may go.
 void send(std::span<const std::byte> bytes, int rank, Tag tag);
 

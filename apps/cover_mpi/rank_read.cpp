@@ -40,8 +40,7 @@ std::vector<std::vector<std::size_t>> shares(const std::vector<std::string>& pat
 }  // namespace
 
 Result<std::vector<Input>> read_among_ranks(
-    const FilesToRead& files, const std::function<Result<Input>(const std::string& path)>& here,
-    const std::stop_token& stop) {
+    const FilesToRead& files, const std::function<Result<Input>(const std::string& path)>& here) {
   const std::vector<std::vector<std::size_t>> share = shares(files.paths, rank_count());
   int at_work = 0;  // other ranks
   for (std::size_t rank = 1; rank < share.size(); ++rank) {
@@ -54,10 +53,9 @@ Result<std::vector<Input>> read_among_ranks(
   std::vector<std::optional<Result<Input>>> read(files.paths.size());
   for (const std::size_t k : share[0]) read[k] = here(files.paths[k]);
   for (; at_work > 0; --at_work) {
-    const std::optional<Message> message = receive(stop);
-    if (!message) return interrupted();
-    const std::vector<std::size_t>& numbers = share[static_cast<std::size_t>(message->rank)];
-    std::vector<Parcel> parcels = unpack(message->bytes);
+    const Message message = receive();
+    const std::vector<std::size_t>& numbers = share[static_cast<std::size_t>(message.rank)];
+    std::vector<Parcel> parcels = unpack(message.bytes);
     for (std::size_t k = 0; k < std::min(parcels.size(), numbers.size()); ++k) {
       Result<Input> input = input_of_bytes(parcels[k].bytes);
       if (input) read[numbers[k]] = std::move(input);
@@ -72,18 +70,14 @@ Result<std::vector<Input>> read_among_ranks(
   return inputs;
 }
 
-void read_for_rank_0(std::span<const std::byte> files, const RankCores& cores,
-                     const std::stop_token& stop) {
+void read_for_rank_0(std::span<const std::byte> files, const RankCores& cores) {
   Result<FilesToRead> asked = files_of_bytes(files);
   std::vector<Parcel> parcels;
   if (asked) {
     ReadOptions& options = asked->options;
     options.threads = threads_of_rank(options.threads, cores);
-    for (const std::string& path : asked->paths) {
-      const Result<Input> input = reading::read_geometry(path, options, stop);
-      if (stop.stop_requested()) return;
-      parcels.push_back({parcels.size(), bytes_of_input(input)});
-    }
+    for (const std::string& path : asked->paths)
+      parcels.push_back({parcels.size(), bytes_of_input(reading::read_geometry(path, options))});
   }
   send(pack(parcels), 0, Tag::inputs);
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <span>
-#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -17,17 +16,13 @@ namespace cover::mpi {
 /// order. What another rank cannot read is read here: it may be on this machine alone.
 ///
 /// Threads: called by the main thread of rank 0
-/// Errors:  that of the first file that cannot be read here; cancelled where `stop` asks to end
-///          while others read
+/// Errors:  that of the first file that cannot be read here
 Result<std::vector<Input>> read_among_ranks(
-    const FilesToRead& files, const std::function<Result<Input>(const std::string& path)>& here,
-    const std::stop_token& stop);
+    const FilesToRead& files, const std::function<Result<Input>(const std::string& path)>& here);
 
-/// What another rank does: reads files and sends what is in them; nothing, once `stop` asks for the
-/// end, which it does of programs that read for it, too.
+/// What another rank does: reads files and sends what is in them.
 ///
 /// Threads: called by the main thread of that rank
-void read_for_rank_0(std::span<const std::byte> files, const RankCores& cores,
-                     const std::stop_token& stop);
+void read_for_rank_0(std::span<const std::byte> files, const RankCores& cores);
 
 }  // namespace cover::mpi

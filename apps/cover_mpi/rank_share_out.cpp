@@ -131,8 +131,7 @@ Status share_out_among_ranks(RegionJobs& jobs, const RankCores& cores) {
   return ok();
 }
 
-Status write_among_ranks(const Bytes& plan, const std::function<Status()>& here,
-                         const std::stop_token& stop) {
+Status write_among_ranks(const Bytes& plan, const std::function<Status()>& here) {
   const int ranks = rank_count();
   for (int rank = 1; rank < ranks; ++rank) send({}, rank, Tag::write);
   Bytes sent = plan;
@@ -141,9 +140,8 @@ Status write_among_ranks(const Bytes& plan, const std::function<Status()>& here,
   // Who was interrupted waits for nobody.
   if (!all && all.error().code == ErrorCode::cancelled) return all;
   for (int answers = 1; answers < ranks; ++answers) {
-    const std::optional<Message> message = receive(stop);
-    if (!message) return interrupted();
-    if (all && !message->bytes.empty()) all = told_error(*message);
+    const Message message = receive();
+    if (all && !message.bytes.empty()) all = told_error(message);
   }
   return all;
 }

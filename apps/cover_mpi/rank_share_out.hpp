@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <stop_token>
 
 #include <cover/share_out.hpp>
 
@@ -20,10 +19,8 @@ Status share_out_among_ranks(RegionJobs& jobs, const RankCores& cores);
 /// Has a plan carried out by all ranks, by this one with `here`: see Callbacks::write_elsewhere.
 ///
 /// Threads: as share_out_among_ranks()
-/// Errors:  those of `here`; else of another rank, which is named; cancelled where `stop` asks to
-///          end while others write
-Status write_among_ranks(const Bytes& plan, const std::function<Status()>& here,
-                         const std::stop_token& stop);
+/// Errors:  those of `here`; else of another rank, which is named
+Status write_among_ranks(const Bytes& plan, const std::function<Status()>& here);
 
 /// Lets the other ranks end.
 void dismiss_ranks();

@@ -58,14 +58,14 @@ void write_kept(const std::optional<KeptRegions>& kept, unsigned threads) {
 
 }  // namespace
 
-Status serve(const RankCores& cores, const std::stop_token& stop) {
+void serve(const RankCores& cores) {
   Options options;
   std::optional<KeptRegions> kept;
   unsigned threads = 1;
   bool failed = false;
-  while (std::optional<Message> received = receive(stop)) {
-    const Message& message = *received;
-    if (message.tag == Tag::end) return ok();
+  while (true) {
+    const Message message = receive();
+    if (message.tag == Tag::end) return;
     if (message.tag == Tag::options) {
       Result<Options> sent = options_here(message.bytes);
       threads = threads_of_rank(sent ? sent->threads : 1, cores);
@@ -73,7 +73,7 @@ Status serve(const RankCores& cores, const std::stop_token& stop) {
       if (failed) tell(sent.error(), Tag::failed);
       if (!failed) options = *std::move(sent);
     } else if (message.tag == Tag::files) {
-      read_for_rank_0(message.bytes, cores, stop);
+      read_for_rank_0(message.bytes, cores);
     } else if (message.tag == Tag::keep) {
       kept = agree_to_keep(message.bytes);
     } else if (message.tag == Tag::write) {
@@ -84,7 +84,6 @@ Status serve(const RankCores& cores, const std::stop_token& stop) {
       send(pack(parcels), 0, Tag::meshes);
     }
   }
-  return interrupted();
 }
 
 }  // namespace cover::mpi

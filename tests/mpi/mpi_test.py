@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """mpi_test.py COVER COVER_MPI MPIRUN DATA: the files of cover-mpi are those of cover, byte for byte, for any number of
 ranks; what goes wrong ends the run, and leaves nothing under the final name."""
-import itertools
 import json
 import os
 import pathlib
@@ -240,34 +239,6 @@ class CoverMpi(unittest.TestCase):
         self.assertNotEqual(process.returncode, 0)
         self.assertRegex(told, r'rank \d')
         self.assertEqual(target.read_text(), 'old')
-
-    def test_an_interrupt_while_klayout_reads_leaves_nothing(self):
-        """Of one file, which rank 0 reads, and of two, which two ranks read; the third has nothing to do. A script stands for
-        KLayout, whose folder the next run would remove."""
-        tools, temporary = self.folder / 'bin', self.folder / 'tmp'
-        tools.mkdir()
-        temporary.mkdir()
-        (tools / 'strm2gds').write_text('#!/bin/sh\necho $$ >"$2.begun"\nexec /bin/sleep 50\n')
-        (tools / 'strm2gds').chmod(0o755)
-        layouts = [self.folder / name for name in ('a.oas', 'b.oas')]
-        for layout in layouts:
-            layout.write_text('%SEMI-OASIS')
-        there = dict(ENVIRONMENT, PATH=f'{tools}:{ENVIRONMENT["PATH"]}', TMPDIR=str(temporary))
-        for files, one in itertools.product((layouts[:1], layouts), (signal.SIGINT, signal.SIGTERM)):
-            mesh = ('mesh', *files, '-o', self.folder / 'x.vtu')
-            with subprocess.Popen(on_ranks(3, *mesh), env=there, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
-                begun: list[pathlib.Path] = []
-                while len(begun) < len(files) or not all(b.read_text().endswith('\n') for b in begun):
-                    self.assertIsNone(process.poll(), 'it ended before KLayout began')
-                    begun = list(temporary.glob('.cover-oasis.*/*.begun'))
-                    time.sleep(0.01)
-                readers = [int(b.read_text()) for b in begun]
-                process.send_signal(one)
-                _, told, _ = end_of(process)
-            self.assertNotEqual(process.returncode, 0)
-            self.assertEqual(list(temporary.glob('.cover-*')), [], (one, told))
-            self.assertEqual(set(readers) & set(processes_with(['/bin/sleep', '50'])), set(), told)
-            self.assertFalse((self.folder / 'x.vtu').exists())
 
     def test_ranks_killed_at_any_moment(self):
         """An error, no hang, and the old file or the new one; the next run leaves nothing else."""

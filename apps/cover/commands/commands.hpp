@@ -12,14 +12,11 @@ namespace cover::app {
 /// What follows the name of the subcommand.
 using Arguments = std::vector<std::string>;
 
-class Interrupt;
-
 /// Processes that take a part in the work; none by default.
 struct OtherProcesses {
   ShareOut share_out;
   WriteElsewhere write_elsewhere;
   ReadElsewhere read_elsewhere;
-  Interrupt* interrupt = nullptr;  ///< of this process; none: the command makes one
 };
 
 /// `cover mesh`: triangulates a geometry file.

@@ -408,8 +408,7 @@ int run_mesh(Arguments arguments, const OtherProcesses& others) {
     return usage_error(command.app, checked.error());
 
   const auto log = make_logger(command.verbosity);
-  std::optional<Interrupt> own;
-  Interrupt& interrupt = others.interrupt != nullptr ? *others.interrupt : own.emplace();
+  Interrupt interrupt;
   command.input.heed(interrupt.token());
   Result<Input> input = command.input.read(options->threads, others.read_elsewhere);
   if (!input) return fail(*log, input.error());
