@@ -228,12 +228,12 @@ class Splitter {
   /// The foot of `apex` on ab; or, where it is so near to an end that it would leave a needle, the
   /// place as far from that end as the apex is from its foot: seen from there, the end is at less
   /// than a right angle as well.
-  [[nodiscard]] static Point place_for(Point a, Point b, Point apex) {
-    const Point foot = foot_on(a, b, apex);
-    const double height = length(apex - foot), whole = length(b - a);
-    for (const auto& [end, other] : {std::pair{a, b}, std::pair{b, a}}) {
-      if (length(foot - end) < kNeedle * height)
-        return end + std::min(height / whole, 0.5) * (other - end);
+  /// Only beside corners of the input: beside cuts, that makes cascades of others.
+  [[nodiscard]] Point place_for(const Segment& piece, Point foot, Point apex) const {
+    const double height = length(apex - foot), whole = length(at(piece.b) - at(piece.a));
+    for (const auto& [end, other] : {std::pair{piece.a, piece.b}, std::pair{piece.b, piece.a}}) {
+      if (end.index() < uncut_points_ && length(foot - at(end)) < kNeedle * height)
+        return at(end) + std::min(height / whole, 0.5) * (at(other) - at(end));
     }
     return foot;
   }
@@ -248,7 +248,7 @@ class Splitter {
       return has_room_on_segment(a, b, midpoint(a, b), wish.apexes) ? std::optional(midpoint(a, b))
                                                                     : std::nullopt;
     }
-    const Point foot = place_for(a, b, wish.apex);
+    const Point foot = place_for(piece, foot_on(a, b, wish.apex), wish.apex);
     const double shorter = std::min(length(foot - a), length(foot - b));
     if (shorter <= kLeastBesideFoot * whole || !has_room_on_segment(a, b, foot, wish.apexes))
       return std::nullopt;
