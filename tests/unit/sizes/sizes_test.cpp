@@ -291,27 +291,30 @@ TEST(Sizes, AnExpressionGradesTheMesh) {
   EXPECT_LT(triangles(0), 0.2 * expected);
 }
 
+/// The points, in order, that get the size of a rule for `name`, once for every region.
+std::vector<Point> points_sized_by(const Regions& regions, const char* name) {
+  auto boundaries = split_regions(regions.pslg, regions.table);
+  Options options;
+  options.sizes = {{name, 0.125, true}};
+  EXPECT_TRUE(resolve_sizes(regions.pslg, regions.table, options, boundaries)) << name;
+  std::vector<Point> where;
+  for (const RegionBoundary& boundary : boundaries) {
+    for (std::size_t v = 0; v < boundary.size_at.size(); ++v) {
+      if (boundary.size_at[v] == 0) continue;
+      EXPECT_EQ(boundary.size_at[v], 0.125);
+      where.push_back(boundary.points[v]);
+    }
+  }
+  std::sort(where.begin(), where.end());
+  return where;
+}
+
 TEST(Sizes, AtAnInterfaceAContactAndAPoint) {
   Input input = two_rectangles();
   input.segments[2].name = "anode";  // from (3, 0) to (3, 1)
   input.point_ids = {10, 11, 12, 13, 14, 15};
   const Regions regions = regions_of(input);
-  const auto at = [&](const char* name) {
-    auto boundaries = split_regions(regions.pslg, regions.table);
-    Options options;
-    options.sizes = {{name, 0.125, true}};
-    EXPECT_TRUE(resolve_sizes(regions.pslg, regions.table, options, boundaries)) << name;
-    std::vector<Point> where;
-    for (const RegionBoundary& boundary : boundaries) {
-      for (std::size_t v = 0; v < boundary.size_at.size(); ++v) {
-        if (boundary.size_at[v] == 0) continue;
-        EXPECT_EQ(boundary.size_at[v], 0.125);
-        where.push_back(boundary.points[v]);
-      }
-    }
-    std::sort(where.begin(), where.end());
-    return where;
-  };
+  const auto at = [&](const char* name) { return points_sized_by(regions, name); };
   using Points = std::vector<Point>;
   EXPECT_EQ(at("left_right"), (Points{{1, 0}, {1, 0}, {1, 1}, {1, 1}}));
   EXPECT_EQ(at("anode"), (Points{{3, 0}, {3, 1}}));
@@ -327,19 +330,7 @@ TEST(Sizes, AtPointsOfAName) {
   input.points.push_back({2, 0.5});
   input.point_names = {{6, "well"}, {7, "well"}, {0, "both"}, {7, "7"}};
   const Regions regions = regions_of(input);
-  const auto at = [&](const char* name) {
-    auto boundaries = split_regions(regions.pslg, regions.table);
-    Options options;
-    options.sizes = {{name, 0.125, true}};
-    EXPECT_TRUE(resolve_sizes(regions.pslg, regions.table, options, boundaries)) << name;
-    std::vector<Point> where;
-    for (const RegionBoundary& boundary : boundaries) {
-      for (std::size_t v = 0; v < boundary.size_at.size(); ++v)
-        if (boundary.size_at[v] != 0) where.push_back(boundary.points[v]);
-    }
-    std::sort(where.begin(), where.end());
-    return where;
-  };
+  const auto at = [&](const char* name) { return points_sized_by(regions, name); };
   using Points = std::vector<Point>;
   EXPECT_EQ(at("well"), (Points{{0.5, 0.5}, {2, 0.5}}));
   EXPECT_EQ(at("both"), (Points{{0, 0}, {3, 0}, {3, 1}}));

@@ -225,10 +225,9 @@ class Splitter {
                        [&](SegmentId other) { return !pieces_[other.index()].is_rigid; });
   }
 
-  /// The foot of `apex` on ab; or, where it is so near to an end that it would leave a needle, the
-  /// place as far from that end as the apex is from its foot: seen from there, the end is at less
-  /// than a right angle as well.
-  /// Only beside corners of the input: beside cuts, that makes cascades of others.
+  /// `foot`, that of `apex`; or, where it is so near to a corner of the input that it would leave a
+  /// needle, the place as far from there as the apex is from its foot: seen from there, the corner
+  /// is at less than a right angle as well. Beside cuts that would make cascades of others.
   [[nodiscard]] Point place_for(const Segment& piece, Point foot, Point apex) const {
     const double height = length(apex - foot), whole = length(at(piece.b) - at(piece.a));
     for (const auto& [end, other] : {std::pair{piece.a, piece.b}, std::pair{piece.b, piece.a}}) {

@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include <cover/options.hpp>
 #include <cover/report.hpp>
 
 #include "cuts/work.hpp"

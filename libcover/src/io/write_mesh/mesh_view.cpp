@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include <cover/curved_mesh.hpp>
 #include <cover/mesh.hpp>
