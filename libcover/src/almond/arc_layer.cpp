@@ -14,7 +14,7 @@
 #include "base/containers/order.hpp"
 #include "base/containers/union_find.hpp"
 #include "base/team.hpp"
-#include "cdt/sight.hpp"
+#include "cdt/search/sight.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {

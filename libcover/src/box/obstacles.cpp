@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "base/containers/order.hpp"
-#include "cdt/sight.hpp"
+#include "cdt/search/sight.hpp"
 #include "geom/foot.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"

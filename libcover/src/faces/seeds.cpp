@@ -9,7 +9,7 @@
 #include <cover/text.hpp>
 
 #include "base/faults/complaint.hpp"
-#include "cdt/locate.hpp"
+#include "cdt/search/locate.hpp"
 #include "geom/spatial_order.hpp"
 
 namespace cover {

@@ -12,7 +12,7 @@
 #include "base/containers/bucket_queue.hpp"
 #include "base/containers/order.hpp"
 #include "base/team.hpp"
-#include "cdt/sight.hpp"
+#include "cdt/search/sight.hpp"
 #include "geom/predicates.hpp"
 #include "geom/triangle.hpp"
 #include "geom/vector.hpp"

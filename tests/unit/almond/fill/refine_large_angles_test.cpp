@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "almond/fill/fill_refine.hpp"
-#include "cdt/sight.hpp"
+#include "cdt/search/sight.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "support/inputs/shapes.hpp"

@@ -3,8 +3,8 @@
 // tries the edges in the same order may go round for ever; starting with a random edge it ends with
 // probability 1. The generator is our own, so that the walk is the same everywhere.
 // Ref: O. Devillers, S. Pion, M. Teillaud, Walking in a triangulation, IJFCS 13 (2002).
-// Tested by tests/unit/cdt/locate_test.cpp.
-#include "cdt/locate.hpp"
+// Tested by tests/unit/cdt/search/locate_test.cpp.
+#include "cdt/search/locate.hpp"
 
 #include <optional>
 

@@ -1,4 +1,4 @@
-#include "cdt/locate.hpp"
+#include "cdt/search/locate.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // turns back over the edge by which it came, and the distance to the target along the line grows
 // from edge to edge, so it ends.
 // Tested by tests/unit/almond/fill/refine_large_angles_test.cpp.
-#include "cdt/sight.hpp"
+#include "cdt/search/sight.hpp"
 
 #include <optional>
 
