@@ -30,7 +30,7 @@ bool meets_disk(Point p, Point q, Point centre, double squared_radius) {
 
 ObstacleFinder::ObstacleFinder(const Triangulation& cdt)
     : cdt_(cdt),
-      stamp_(cdt.triangles.size(), 0),
+      seen_(cdt.triangles.size()),
       budget_(kLooksAtLeast + kLooksPerTriangle * cdt.triangles.size()) {}
 
 bool ObstacleFinder::sees_foot(std::uint32_t start, Point foot, Point p) {
@@ -41,7 +41,7 @@ bool ObstacleFinder::sees_foot(std::uint32_t start, Point foot, Point p) {
 }
 
 std::vector<Obstacle> ObstacleFinder::obstacles(EdgeRef side) {
-  ++call_;
+  seen_.clear();
   const auto corner = [&](std::uint32_t t, Corner i) {
     return cdt_.points[cdt_.triangles[t].v[i]];
   };
@@ -53,7 +53,7 @@ std::vector<Obstacle> ObstacleFinder::obstacles(EdgeRef side) {
   std::vector<Obstacle> found;
   std::vector<std::uint32_t> met;
   stack_.assign(1, side.triangle);
-  stamp_[side.triangle] = call_;
+  seen_.insert(side.triangle);
   while (!stack_.empty() && budget_ > 0) {
     const std::uint32_t t = stack_.back();
     stack_.pop_back();
@@ -65,9 +65,9 @@ std::vector<Obstacle> ObstacleFinder::obstacles(EdgeRef side) {
           orientation(a, b, p) == Sign::positive)
         met.push_back(w);
       const std::uint32_t n = cdt_.triangles[t].n[i];
-      if (n == kNone || cdt_.triangles[t].is_locked(i) || stamp_[n] == call_) continue;
+      if (n == kNone || cdt_.triangles[t].is_locked(i) || seen_.contains(n)) continue;
       if (!meets_disk(corner(t, i.next()), corner(t, i.previous()), centre, squared / 4)) continue;
-      stamp_[n] = call_;
+      seen_.insert(n);
       stack_.push_back(n);
     }
   }

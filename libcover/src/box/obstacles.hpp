@@ -7,6 +7,7 @@
 
 #include <cover/point.hpp>
 
+#include "base/containers/stamped_set.hpp"
 #include "cdt/sides.hpp"
 
 namespace cover {
@@ -35,13 +36,11 @@ class ObstacleFinder {
   [[nodiscard]] std::vector<Obstacle> obstacles(EdgeRef side);
 
  private:
-  void visit(std::uint32_t from, int edge);
   [[nodiscard]] bool sees_foot(std::uint32_t start, Point foot, Point p);
 
   const Triangulation& cdt_;
-  std::vector<std::uint32_t> stamp_;  ///< by triangle: the call that has seen it
+  StampedSet seen_;  ///< triangles, by the present call
   std::vector<std::uint32_t> stack_;
-  std::uint32_t call_ = 0;
   std::uint64_t budget_;  ///< triangles that may still be looked at
 };
 

@@ -107,17 +107,17 @@ void ApexSearch::collect_obstacles(const RegionSide& side) {
   vertices_.clear();
   obstacles_.clear();
   visited_.assign(1, side.triangle);
-  stamp_.resize(cdt.triangles.size(), 0);
-  ++round_;
-  stamp_[side.triangle] = round_;
+  is_visited_.resize(cdt.triangles.size());
+  is_visited_.clear();
+  is_visited_.insert(side.triangle);
   for (std::size_t k = 0; k < visited_.size(); ++k) {
     const Triangle& f = cdt.triangles[visited_[k]];
     for (const Corner i : kCorners) {
       const std::uint32_t s = view_.side_at(visited_[k], i);
       if (s == kNone) {
         const std::uint32_t next = f.n[i];
-        if (visited_.size() < kTriangles && stamp_[next] != round_) {
-          stamp_[next] = round_;
+        if (visited_.size() < kTriangles && !is_visited_.contains(next)) {
+          is_visited_.insert(next);
           visited_.push_back(next);
           const Triangle& g = cdt.triangles[next];
           const std::uint32_t beyond = g.v[g.edge_to(visited_[k])];

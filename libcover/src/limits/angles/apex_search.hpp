@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/containers/stamped_set.hpp"
 #include "geom/vector.hpp"
 #include "limits/angles/angle_range.hpp"
 #include "limits/angles/clear_zones.hpp"
@@ -136,8 +137,7 @@ class ApexSearch {
   std::vector<Lonely> lonely_;
   std::vector<Obstacle> obstacles_;
   std::vector<std::uint32_t> visited_;
-  std::vector<std::uint32_t> stamp_;  ///< by triangle: the last round in which it was visited
-  std::uint32_t round_ = 0;
+  StampedSet is_visited_;
   Ban last_ban_ = Ban::zone;
   std::size_t last_which_ = 0;
   std::vector<Box> stack_;

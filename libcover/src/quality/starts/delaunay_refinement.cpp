@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/containers/bucket_queue.hpp"
+#include "base/containers/stamped_set.hpp"
 #include "geom/cotangent.hpp"
 #include "geom/predicates.hpp"
 #include "geom/subdivision/rounds.hpp"
@@ -54,9 +55,9 @@ class Refinement {
     const double kappa = angle_of_cot(limits.smallest_cot);
     off_centre_ = 0.4 / std::tan(kappa / 2);  // 0.5: the new angle is kappa
     const std::size_t count = mesh_.triangles.size();
-    stamp_.reserve(count + count / kSpare);
+    in_cavity_.reserve(count + count / kSpare);
     guarded_.reserve(count + count / kSpare);
-    stamp_.assign(count, 0);
+    in_cavity_.resize(count);
     guarded_.assign(count, 0);
     cavity_.reserve(kRoom);
     loop_.reserve(kRoom);
@@ -282,7 +283,7 @@ class Refinement {
 
   /// Takes a triangle into the cavity; false if it is guarded.
   bool take(std::uint32_t t) {
-    stamp_[t] = round_;
+    in_cavity_.insert(t);
     cavity_.push_back(t);
     return guarded_[t] == 0;
   }
@@ -290,7 +291,7 @@ class Refinement {
   /// Collects the triangles whose circle contains `p`, and their loop in order. False if one of
   /// them is guarded or a side would be seen from `p` at too large an angle.
   bool find_cavity(std::uint32_t start, Point p) {
-    ++round_;
+    in_cavity_.clear();
     cavity_.clear();
     loop_.clear();
     if (!take(start)) return false;
@@ -302,7 +303,7 @@ class Refinement {
       open_.pop_back();
       const MeshTriangle& own = triangles[t];
       const std::uint32_t n = own.n[i];
-      if (!is_side(n) && stamp_[n] == round_) continue;
+      if (!is_side(n) && in_cavity_.contains(n)) continue;
       const std::uint32_t va = own.v[i.next()], vb = own.v[i.previous()];
       if (!is_side(n)) {
         const MeshTriangle& other = triangles[n];
@@ -340,7 +341,7 @@ class Refinement {
     if (start == kNone || !find_cavity(start, *p)) return false;
     const std::uint32_t apex = mesh_.add_vertex(*p);
     while (cavity_.size() < loop_.size()) cavity_.push_back(mesh_.add_triangle());
-    stamp_.resize(mesh_.triangles.size(), 0);
+    in_cavity_.resize(mesh_.triangles.size());
     guarded_.resize(mesh_.triangles.size(), 0);
     std::uint32_t before = cavity_[loop_.size() - 1];
     for (std::size_t k = 0; k < loop_.size(); ++k) {
@@ -390,9 +391,8 @@ class Refinement {
   BucketQueue<Entry> block_;    ///< what is worked on, with all that comes from it
   int block_end_ = 0;           ///< bucket; from there on entries wait
   int shortest_ = 0;
-  std::vector<std::uint32_t> stamp_;
+  StampedSet in_cavity_;
   std::vector<std::uint8_t> guarded_;
-  std::uint32_t round_ = 0;
   std::vector<std::uint32_t> cavity_;
   std::vector<LoopEdge> loop_;
   std::vector<OpenEdge> open_;
