@@ -49,7 +49,6 @@ MeshWithUndo::MeshWithUndo(const ConformingMesh& mesh, std::vector<WantedAngles>
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
     vertices_.push_back({mesh.points[v], mesh.line[v], kNone});
   triangles_.resize(mesh.triangles.size());
-  stamp_.resize(triangles_.size(), 0);
   link_all(mesh);
   make_delaunay();
   for (Triangle& t : triangles_) {
@@ -208,7 +207,6 @@ std::uint32_t MeshWithUndo::new_triangle() {
     if (triangles_[t].v[0] == kNone) return t;
   }
   triangles_.emplace_back();
-  stamp_.push_back(0);
   return static_cast<std::uint32_t>(triangles_.size() - 1);
 }
 
@@ -293,21 +291,11 @@ Spot MeshWithUndo::locate(Point p, std::uint32_t triangle) const {
 /// The triangles whose circles hold the spot, and their rim.
 bool MeshWithUndo::gather(const Spot& spot) {
   rim_.clear();
-  cavity_.clear();
   if (spot.triangle == kNone) return false;
-  if (++stamps_ == 0) {  // what was stamped 2^32 places ago would count as seen
-    std::fill(stamp_.begin(), stamp_.end(), 0);
-    stamps_ = 1;
-  }
   // Half of the time goes here: each access that is checked takes as long as a product.
   const Triangle* const triangles = triangles_.data();
   const Vertex* const vertices = vertices_.data();
-  std::uint32_t* const stamp = stamp_.data();
-  const auto enter = [&](std::uint32_t t) {
-    stamp[t] = stamps_;
-    cavity_.push_back(t);
-  };
-  enter(spot.triangle);
+  cavity_.begin(triangles_.size(), spot.triangle);
   std::uint32_t other = kNone;
   if (spot.edge) {
     const Corner e = *spot.edge;
@@ -316,30 +304,30 @@ bool MeshWithUndo::gather(const Spot& spot) {
     const Point from = at(triangles_[spot.triangle].v[e.next()]),
                 to = at(triangles_[spot.triangle].v[e.previous()]);
     if (!(dot(spot.at - from, to - from) > 0) || !(dot(spot.at - to, from - to) > 0)) return false;
-    if (other != kNone) enter(other);
+    if (other != kNone) cavity_.add(other);
   }
-  for (std::size_t head = 0; head < cavity_.size(); ++head) {
-    if (cavity_.size() > kMostInHole) return false;
-    const std::uint32_t t = cavity_[head];
+  const auto across = [&](std::uint32_t t, Corner i) {
+    return triangles[t].line[i] == kOnNoLine ? triangles[t].n[i] : kNone;
+  };
+  const auto corners = [&](std::uint32_t t) {
+    const auto& [a, b, c] = triangles[t].v;
+    return std::array{vertices[a].at, vertices[b].at, vertices[c].at};
+  };
+  const auto add_to_rim = [&](std::uint32_t t, Corner i) {
     const Triangle& triangle = triangles[t];
-    if (angles_[triangle.region].closed) return false;
-    for (const Corner i : kCorners) {
-      const std::uint32_t n = triangle.n[i];
-      // The piece that is cut is no part of the rim, on either side.
-      if (spot.edge && ((t == spot.triangle && i == *spot.edge) ||
-                        (t == other && n == spot.triangle && triangle.line[i] != kOnNoLine)))
-        continue;
-      if (triangle.line[i] == kOnNoLine && n != kNone) {
-        if (stamp[n] == stamps_) continue;
-        const auto& [a, b, c] = triangles[n].v;
-        if (in_circle(vertices[a].at, vertices[b].at, vertices[c].at, spot.at) == Sign::positive) {
-          enter(n);
-          continue;
-        }
-      }
-      rim_.push_back(
-          {triangle.v[i.next()], triangle.v[i.previous()], n, triangle.line[i], triangle.region});
-    }
+    const std::uint32_t n = triangle.n[i];
+    // The piece that is cut is no part of the rim, on either side.
+    if (spot.edge && ((t == spot.triangle && i == *spot.edge) ||
+                      (t == other && n == spot.triangle && triangle.line[i] != kOnNoLine)))
+      return true;
+    rim_.push_back(
+        {triangle.v[i.next()], triangle.v[i.previous()], n, triangle.line[i], triangle.region});
+    return true;
+  };
+  if (!cavity_.grow(spot.at, across, corners, add_to_rim, kMostInHole)) return false;
+  // Not only the first one: a border of closed regions need be no piece.
+  for (const std::uint32_t t : cavity_.triangles()) {
+    if (angles_[triangles[t].region].closed) return false;
   }
   // A spot on a piece is rounded, and may lie beyond a vertex beside it: the hole would swallow it.
   const bool is_at_hull = spot.edge && other == kNone;
@@ -360,7 +348,7 @@ std::array<std::uint32_t, 2> MeshWithUndo::ends_of(const Spot& spot) const {
 double MeshWithUndo::change_with(const Spot& spot, double most) {
   if (!gather(spot)) return kCannotBe;
   double change = 0;
-  for (const std::uint32_t t : cavity_) change -= triangles_[t].cost;
+  for (const std::uint32_t t : cavity_.triangles()) change -= triangles_[t].cost;
   const std::array<std::uint32_t, 2> ends = ends_of(spot);
   const Vertex* const vertices = vertices_.data();
   for (const RimEdge& e : rim_) {
@@ -382,7 +370,7 @@ std::uint32_t MeshWithUndo::insert(const Spot& spot, std::uint32_t v) {
   }
   save_vertex(v);
   vertices_[v] = {spot.at, line, kNone};
-  slots_ = cavity_;
+  slots_ = cavity_.triangles();
   while (slots_.size() < rim_.size()) {
     const std::uint32_t t = new_triangle();  // it may stand twice in the list of free ones
     if (std::find(slots_.begin(), slots_.end(), t) == slots_.end()) slots_.push_back(t);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/numbers.hpp"
+#include "cdt/search/delaunay_cavity.hpp"
 #include "geom/topology/corner.hpp"
 #include "mend/conforming_mesh.hpp"
 
@@ -48,7 +49,8 @@ struct RimEdge {
 class MeshWithUndo {
  public:
   /// `angles`: by region.
-  /// REQUIRES: every edge with one triangle, or with triangles of two regions, is a piece
+  /// REQUIRES: every edge with one triangle, or with triangles of two regions none of which is
+  ///           closed, is a piece
   MeshWithUndo(const ConformingMesh& mesh, std::vector<WantedAngles> angles);
 
   struct Vertex {
@@ -167,9 +169,7 @@ class MeshWithUndo {
 
   // Of the last hole or star.
   std::vector<RimEdge> rim_;
-  std::vector<std::uint32_t> cavity_;
-  std::vector<std::uint32_t> stamp_;  ///< by triangle
-  std::uint32_t stamps_ = 0;
+  DelaunayCavity cavity_;
   std::vector<std::uint32_t> star_;
   std::vector<HoleCorner> corners_;
   std::vector<std::uint32_t> slots_;

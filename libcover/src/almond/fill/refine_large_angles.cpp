@@ -12,6 +12,7 @@
 #include "base/containers/bucket_queue.hpp"
 #include "base/containers/order.hpp"
 #include "base/team.hpp"
+#include "cdt/search/delaunay_cavity.hpp"
 #include "cdt/search/sight.hpp"
 #include "geom/predicates.hpp"
 #include "geom/triangle.hpp"
@@ -31,8 +32,7 @@ class Refiner {
         team_(team),
         first_points_(cdt.points.size()),
         tan_target_(cdt.points.size(), std::tan(goal.target_nu)),
-        version_(cdt.triangles.size(), 0),
-        in_cavity_(cdt.triangles.size(), 0) {
+        version_(cdt.triangles.size(), 0) {
     std::vector<double> tan_target(chords.size());
     team.each_range(chords.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t c = first; c < last; ++c) tan_target[c] = tan_target_of(chords[c]);
@@ -104,7 +104,7 @@ class Refiner {
     tan_target_.reserve(cdt_.points.capacity());
     fan_at_.reserve(cdt_.points.capacity());
     version_.reserve(cdt_.triangles.capacity());
-    in_cavity_.reserve(cdt_.triangles.capacity());
+    cavity_.reserve(cdt_.triangles.capacity());
   }
 
   [[nodiscard]] Point corner(const Triangle& f, Corner i) const { return cdt_.points[f.v[i]]; }
@@ -242,36 +242,18 @@ class Refiner {
   /// stop at a boundary edge that `z` encroaches upon, and there is one: the last of the rim so
   /// far. (Cavities may have all triangles, and most tries end so.)
   bool collect_cavity(std::uint32_t t, Point z, bool until_encroached = false) {
-    cavity_.clear();
+    cavity_.begin(cdt_.triangles.size(), t);
     rim_.clear();
-    ++stamp_;
-    in_cavity_[t] = stamp_;
-    cavity_.push_back(t);
-    for (std::size_t k = 0; k < cavity_.size(); ++k) {
-      const std::uint32_t at = cavity_[k];
+    const bool is_whole = cavity_.grow(z, cdt_, [&](std::uint32_t at, Corner i) {
       const Triangle& f = cdt_.triangles[at];
-      for (const Corner i : kCorners) {
-        const std::uint32_t next = f.n[i];
-        if (!is_rim(f, i)) {
-          if (in_cavity_[next] == stamp_) continue;
-          const Triangle& g = cdt_.triangles[next];
-          if (in_circle(corner(g, 0), corner(g, 1), corner(g, 2), z) == Sign::positive) {
-            in_cavity_[next] = stamp_;
-            cavity_.push_back(next);
-            continue;
-          }
-        }
-        rim_.push_back({f.v[i.next()], f.v[i.previous()], next,
-                        next == kNone ? Corner() : cdt_.triangles[next].edge_to(at), edges_[at][i],
-                        f.is_locked(i)});
-        if (until_encroached && is_rim(f, i) && is_encroached(rim_.back(), z)) {
-          seen_ += cavity_.size();
-          return false;
-        }
-      }
-    }
+      const std::uint32_t outer = f.n[i];
+      rim_.push_back({f.v[i.next()], f.v[i.previous()], outer,
+                      outer == kNone ? Corner() : cdt_.triangles[outer].edge_to(at), edges_[at][i],
+                      f.is_locked(i)});
+      return !(until_encroached && is_rim(f, i) && is_encroached(rim_.back(), z));
+    });
     seen_ += cavity_.size();
-    return true;
+    return is_whole;
   }
 
   [[nodiscard]] bool is_encroached(const Rim& rim, Point z) const {
@@ -280,7 +262,7 @@ class Refiner {
 
   /// The inner side of a rim edge that has not been dug yet.
   [[nodiscard]] EdgeRef rim_at(const Rim& rim) const {
-    for (const std::uint32_t t : cavity_) {
+    for (const std::uint32_t t : cavity_.triangles()) {
       const Triangle& f = cdt_.triangles[t];
       for (const Corner i : kCorners) {
         if (f.v[i.next()] == rim.a && f.v[i.previous()] == rim.b) {
@@ -308,14 +290,14 @@ class Refiner {
     const auto vertex = static_cast<std::uint32_t>(cdt_.points.size());
     cdt_.points.push_back(z);
     fan_at_.resize(cdt_.points.size());
-    while (cavity_.size() < rim_.size()) {
-      cavity_.push_back(static_cast<std::uint32_t>(cdt_.triangles.size()));
+    fan_ = cavity_.triangles();
+    while (fan_.size() < rim_.size()) {
+      fan_.push_back(static_cast<std::uint32_t>(cdt_.triangles.size()));
       cdt_.triangles.emplace_back();
       edges_.push_back({kNone, kNone, kNone});
       version_.push_back(0);
-      in_cavity_.push_back(0);
     }
-    for (std::size_t k = 0; k < rim_.size(); ++k) fan_at_[rim_[k].a] = cavity_[k];
+    for (std::size_t k = 0; k < rim_.size(); ++k) fan_at_[rim_[k].a] = fan_[k];
     for (std::size_t k = 0; k < rim_.size(); ++k) {
       const Rim& rim = rim_[k];
       Triangle f;
@@ -323,21 +305,21 @@ class Refiner {
       f.n[0] = rim.outer;
       f.set_locked(0, rim.locked);
       if (rim.outer != kNone) {
-        cdt_.triangles[rim.outer].n[rim.outer_edge] = cavity_[k];
+        cdt_.triangles[rim.outer].n[rim.outer_edge] = fan_[k];
       }
-      edges_[cavity_[k]] = {rim.chord, kNone, kNone};
-      cdt_.triangles[cavity_[k]] = f;
+      edges_[fan_[k]] = {rim.chord, kNone, kNone};
+      cdt_.triangles[fan_[k]] = f;
     }
     for (std::size_t k = 0; k < rim_.size(); ++k) {
       if (split != nullptr && rim_[k].b == split->a) continue;
       const std::uint32_t next = fan_at_[rim_[k].b];
-      cdt_.triangles[cavity_[k]].n[1] = next;
-      cdt_.triangles[next].n[2] = cavity_[k];
+      cdt_.triangles[fan_[k]].n[1] = next;
+      cdt_.triangles[next].n[2] = fan_[k];
     }
     if (split != nullptr) close_fan(*split);
     for (std::size_t k = 0; k < rim_.size(); ++k) {
-      ++version_[cavity_[k]];
-      enqueue(cavity_[k]);
+      ++version_[fan_[k]];
+      enqueue(fan_[k]);
     }
   }
 
@@ -349,8 +331,8 @@ class Refiner {
     const auto last = static_cast<std::size_t>(
         std::find_if(rim_.begin(), rim_.end(), [&](const Rim& r) { return r.b == split.a; }) -
         rim_.begin());
-    cdt_.triangles[cavity_[last]].set_locked(1, split.locked);
-    edges_[cavity_[last]][1] = split.chord;
+    cdt_.triangles[fan_[last]].set_locked(1, split.locked);
+    edges_[fan_[last]][1] = split.chord;
   }
 
   /// The locked chords on and behind the longest edges of triangles that do not keep `keep_nu`; if
@@ -421,11 +403,10 @@ class Refiner {
   static constexpr int kRightAngle = 120;  ///< bucket of tan nu = 1; the targets lie below
   static constexpr int kGood = -1;
   BucketQueue<Bad> queue_;
-  std::vector<std::uint32_t> version_;    ///< by triangle; an entry of the queue may be out of date
-  std::vector<std::uint32_t> in_cavity_;  ///< by triangle: stamp of the last cavity it was in
-  std::uint32_t stamp_ = 0;
-  std::vector<std::uint32_t> cavity_;
+  std::vector<std::uint32_t> version_;  ///< by triangle; an entry of the queue may be out of date
+  DelaunayCavity cavity_;
   std::vector<Rim> rim_;
+  std::vector<std::uint32_t> fan_;  ///< by edge of the rim: the triangle put there
   std::vector<std::uint32_t>
       fan_at_;  ///< by vertex: new triangle on the rim edge that starts there
   std::vector<Split> splits_;

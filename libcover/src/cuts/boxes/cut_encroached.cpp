@@ -17,6 +17,7 @@
 #include "box/encroached_sides.hpp"
 #include "box/least_cuts.hpp"
 #include "box/obstacles.hpp"
+#include "cdt/search/delaunay_cavity.hpp"
 #include "cuts/before_meshing/least_pieces.hpp"
 #include "cuts/before_meshing/onto_arcs.hpp"
 #include "cuts/cut_segments.hpp"
@@ -77,9 +78,8 @@ class RegionInPass {
 
   /// How many sides that nothing encroaches so far a vertex at `p` on `side` would encroach.
   std::size_t encroaches(std::size_t side, Point p) {
-    collect_cavity(at_[side], p);
     std::size_t count = 0;
-    for (const std::uint32_t t : cavity_) {
+    for (const std::uint32_t t : cavity_of(side, p)) {
       for (const Corner i : kCorners) {
         const std::uint32_t other = side_of_[3 * t + i];
         if (other == kNone || boundary_.segments[other] == boundary_.segments[side] ||
@@ -96,34 +96,20 @@ class RegionInPass {
 
   /// Whether a vertex at `p` on `side` changes triangles that another cut has changed.
   bool is_touched(std::size_t side, Point p) {
-    collect_cavity(at_[side], p);
-    return std::any_of(cavity_.begin(), cavity_.end(),
+    const std::vector<std::uint32_t>& cavity = cavity_of(side, p);
+    return std::any_of(cavity.begin(), cavity.end(),
                        [&](std::uint32_t t) { return touched_[t] != 0; });
   }
   void touch(std::size_t side, Point p) {
-    collect_cavity(at_[side], p);
-    for (const std::uint32_t t : cavity_) touched_[t] = 1;
+    for (const std::uint32_t t : cavity_of(side, p)) touched_[t] = 1;
   }
 
  private:
-  /// The triangles whose circle has `p` inside.
-  void collect_cavity(EdgeRef start, Point p) {
-    if (stamp_.empty()) stamp_.assign(cdt_.triangles.size(), 0);
-    ++round_;
-    cavity_.assign(1, start.triangle);
-    stamp_[start.triangle] = round_;
-    for (std::size_t k = 0; k < cavity_.size(); ++k) {
-      const Triangle& t = cdt_.triangles[cavity_[k]];
-      for (const Corner i : kCorners) {
-        const std::uint32_t n = t.n[i];
-        if (n == kNone || t.is_locked(i) || stamp_[n] == round_) continue;
-        const auto& v = cdt_.triangles[n].v;
-        if (in_circle(cdt_.points[v[0]], cdt_.points[v[1]], cdt_.points[v[2]], p) != Sign::positive)
-          continue;
-        stamp_[n] = round_;
-        cavity_.push_back(n);
-      }
-    }
+  /// The triangles that a vertex at `p` on `side` replaces.
+  const std::vector<std::uint32_t>& cavity_of(std::size_t side, Point p) {
+    cavity_.begin(cdt_.triangles.size(), at_[side].triangle);
+    cavity_.grow(p, cdt_, [](std::uint32_t, Corner) { return true; });
+    return cavity_.triangles();
   }
 
   RegionBoundary boundary_;
@@ -134,8 +120,7 @@ class RegionInPass {
   std::vector<std::uint8_t> touched_;        ///< by triangle
   std::vector<std::uint32_t> side_of_;       ///< by triangle and edge; kNone: no side
   ObstacleFinder finder_;
-  std::vector<std::uint32_t> stamp_, cavity_;
-  std::uint32_t round_ = 0;
+  DelaunayCavity cavity_;
 };
 
 /// A side of a segment that is to be cut.
