@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "base/containers/give_back.hpp"
+#include "base/containers/order.hpp"
 #include "base/faults/out_of_memory.hpp"
 #include "base/run_all.hpp"
 #include "base/sort_by_team.hpp"
@@ -190,8 +191,7 @@ class Checker {
     }
     for (const std::uint32_t k : isolated_[number])
       in.point_of.push_back(table_.isolated_points[k].vertex.value());
-    std::sort(in.point_of.begin(), in.point_of.end());
-    in.point_of.erase(std::unique(in.point_of.begin(), in.point_of.end()), in.point_of.end());
+    sort_unique(in.point_of);
     const auto local = [&](VertexId v) {
       return VertexId{static_cast<std::size_t>(
           std::lower_bound(in.point_of.begin(), in.point_of.end(), v.value()) -

@@ -7,6 +7,7 @@
 
 #include <cover/text.hpp>
 
+#include "base/containers/order.hpp"
 #include "base/numbers.hpp"
 #include "geom/turn.hpp"
 #include "geom/vector.hpp"
@@ -51,8 +52,7 @@ void CurveCutter::add(const Arc& arc) {
 bool CurveCutter::cut(Circle& circle, std::size_t most) {
   std::vector<double>& ends = circle.ends;
   if (ends.empty()) ends.push_back(0);
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  sort_unique(ends);
   double total = 0;
   for (int pass = 0; pass < 2; ++pass) {  // count, then cut
     for (std::size_t i = 0; i < ends.size(); ++i) {
@@ -65,8 +65,7 @@ bool CurveCutter::cut(Circle& circle, std::size_t most) {
     if (!(total <= static_cast<double>(most))) return false;
   }
   for (double& angle : circle.angles) angle = reduced_degrees(angle);
-  std::sort(circle.angles.begin(), circle.angles.end());
-  circle.angles.erase(std::unique(circle.angles.begin(), circle.angles.end()), circle.angles.end());
+  sort_unique(circle.angles);
   return true;
 }
 

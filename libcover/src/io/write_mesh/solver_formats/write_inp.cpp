@@ -17,6 +17,7 @@
 #include <cover/text.hpp>
 
 #include "base/containers/buckets.hpp"
+#include "base/containers/order.hpp"
 #include "geom/predicates.hpp"
 #include "io/files/text_writer.hpp"
 #include "io/write_mesh/check_format.hpp"
@@ -104,8 +105,7 @@ void write_node_sets(const MeshView& view, TextWriter& out) {
     for (const std::size_t l : sets[g]) {
       nodes.insert(nodes.end(), view.lines[l].begin(), view.lines[l].end());
     }
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    sort_unique(nodes);
     out << "*NSET, NSET=" << names[g] << '\n';
     for (const std::uint32_t node : nodes) out << node + 1 << ",\n";
   }

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "base/containers/order.hpp"
 #include "base/numbers.hpp"
 #include "geom/topology/half_edges.hpp"
 #include "io/files/mapped_file.hpp"
@@ -138,8 +139,7 @@ class MshPartWriter : MshSections {
     out_ << "$EndPartitionedEntities\n";
     for (const std::size_t t : ghosts)
       nodes.insert(nodes.end(), view_.triangles[t].begin(), view_.triangles[t].end());
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    sort_unique(nodes);
     part_nodes(nodes, surfaces);
     part_elements(parts, curves, surfaces, ghosts, ghost_tag);
     out_ << "$GhostElements\n" << ghosts.size() << '\n';

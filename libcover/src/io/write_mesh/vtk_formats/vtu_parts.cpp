@@ -9,6 +9,7 @@
 #include <memory>
 #include <numeric>
 
+#include "base/containers/order.hpp"
 #include "base/containers/unset_vector.hpp"
 #include "geom/vector.hpp"
 
@@ -131,8 +132,7 @@ struct Part {
       cells.nodes.insert(cells.nodes.end(), nodes.begin(), nodes.end());
     }
     numbers = cells.nodes;
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    sort_unique(numbers);
     for (std::uint32_t& node : cells.nodes) {
       node = static_cast<std::uint32_t>(std::lower_bound(numbers.begin(), numbers.end(), node) -
                                         numbers.begin());
