@@ -17,8 +17,8 @@ constexpr int kPasses = 6;
 
 class SpareVertices {
  public:
-  SpareVertices(TriangleDraft& draft, Index first, double limit)
-      : draft_(draft), limit_(limit), first_(first), stars_(draft.points.size()) {
+  SpareVertices(TriangleDraft& draft, Index first, double most)
+      : draft_(draft), most_(most), first_(first), stars_(draft.points.size()) {
     for (Index t = 0; t < draft.triangles.size(); ++t) {
       for (const Index v : draft.triangles[t]) stars_[v].push_back(t);
     }
@@ -75,8 +75,8 @@ class SpareVertices {
     }
     std::array<Point, SmallPolygon::kMostCorners> corners;
     for (std::size_t k = 0; k < link.size(); ++k) corners[k] = draft_.points[link[k]];
-    const SmallPolygon polygon({corners.data(), link.size()}, limit_);
-    if (!(polygon.largest_angle() <= limit_)) return false;
+    const SmallPolygon polygon({corners.data(), link.size()}, most_);
+    if (!(polygon.largest_angle() <= most_)) return false;
 
     const std::vector<Index> old = std::move(stars_[v]);
     stars_[v].clear();
@@ -109,7 +109,7 @@ class SpareVertices {
   }
 
   TriangleDraft& draft_;
-  double limit_;
+  double most_;
   Index first_;
   std::vector<std::vector<Index>> stars_;  ///< triangles by vertex
   std::vector<Index> chord_;               ///< by vertex; kNone: inside
@@ -117,8 +117,8 @@ class SpareVertices {
 
 }  // namespace
 
-void remove_spare_vertices(TriangleDraft& draft, Index first, double limit) {
-  SpareVertices(draft, first, limit).run();
+void remove_spare_vertices(TriangleDraft& draft, Index first, double most) {
+  SpareVertices(draft, first, most).run();
 }
 
 }  // namespace cover::disks

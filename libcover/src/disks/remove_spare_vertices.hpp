@@ -6,11 +6,11 @@
 namespace cover::disks {
 
 /// Removes vertices from `first` on whose neighbours can be triangulated without them and without
-/// an angle above `limit` (radians). Compacts the vertices.
+/// an angle above `most` (radians). Compacts the vertices.
 ///
 /// The packing makes every triangle right-angled, so that each can be proved; most of that is more
 /// than nonobtuse needs. Vertices on a chord are removed likewise, from its one side.
 /// Cost: O(n)
-void remove_spare_vertices(TriangleDraft& draft, Index first, double limit);
+void remove_spare_vertices(TriangleDraft& draft, Index first, double most);
 
 }  // namespace cover::disks

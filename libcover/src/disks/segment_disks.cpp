@@ -19,11 +19,11 @@ constexpr double kShare = 0.45;
 class Cover {
  public:
   Cover(std::span<const Point> points, std::span<const IndexPair> segments, double smallest,
-        std::size_t limit)
+        std::size_t most)
       : frame_({points.begin(), points.end()}),
         segments_(segments),
         smallest_(frame_.inward(smallest)),
-        limit_(limit) {
+        most_(most) {
     for (const Point p : points) points_.push_back(frame_.inward(p));
     std::vector<bool> isolated(points.size(), true);
     for (const auto& [a, b] : segments) {
@@ -88,7 +88,7 @@ class Cover {
   void cover(Index s, double from, double to, SegmentDisks& result) {
     const double middle = from + (to - from) / 2, radius = (to - from) / 2;
     if (!(radius >= smallest_)) result.obstacle = SegmentDisks::Obstacle::too_small;
-    if (++count_ > limit_) result.obstacle = SegmentDisks::Obstacle::too_many;
+    if (++count_ > most_) result.obstacle = SegmentDisks::Obstacle::too_many;
     if (!is_complete(result)) return;
     const Element& line = lines_[s];
     const Point c = line.c + middle * line.d;
@@ -104,7 +104,7 @@ class Cover {
   UnitFrame frame_;
   std::span<const IndexPair> segments_;
   double smallest_;
-  std::size_t limit_;
+  std::size_t most_;
   std::size_t count_ = 0;
   std::vector<Point> points_;
   std::vector<Element> lines_;  ///< segments, then isolated points
@@ -115,8 +115,8 @@ class Cover {
 }  // namespace
 
 SegmentDisks cover_segments(std::span<const Point> points, std::span<const IndexPair> segments,
-                            double smallest, std::size_t limit) {
-  return Cover(points, segments, smallest, limit).run();
+                            double smallest, std::size_t most) {
+  return Cover(points, segments, smallest, most).run();
 }
 
 }  // namespace cover::disks

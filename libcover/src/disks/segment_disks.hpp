@@ -21,7 +21,7 @@ struct SegmentDisks {
   std::vector<double> radius;                     ///< of the disk around every point
   std::vector<std::vector<DiskOnSegment>> chain;  ///< by segment, from its first end to its second;
                                                   ///< without the disks around its ends
-  /// Why it is not complete: more than `limit` disks would be needed, or one that is too small.
+  /// Why it is not complete: more than `most` disks would be needed, or one that is too small.
   enum class Obstacle { none, too_many, too_small };
   Obstacle obstacle = Obstacle::none;
   std::size_t crowded = 0;  ///< then: the segment that was being covered
@@ -34,6 +34,6 @@ struct SegmentDisks {
 /// Cost:     one query per disk; the number of disks is the integral of 1 / distance to other
 ///           segments, and not bounded by the number of segments.
 SegmentDisks cover_segments(std::span<const Point> points, std::span<const IndexPair> segments,
-                            double smallest, std::size_t limit);
+                            double smallest, std::size_t most);
 
 }  // namespace cover::disks

@@ -28,10 +28,10 @@ double largest_or_impossible(Point a, Point b, Point c) {
   return std::max({angle_at(a, b, c), angle_at(b, c, a), angle_at(c, a, b)});
 }
 
-SmallPolygon::SmallPolygon(std::span<const Point> corners, double limit) : size_(corners.size()) {
+SmallPolygon::SmallPolygon(std::span<const Point> corners, double most) : size_(corners.size()) {
   constexpr double kRounding = 1e-12;  // of dot products, with room
-  const bool is_limited = limit < std::numbers::pi;
-  const double sine = is_limited ? std::sin(limit - std::numbers::pi / 2) + kRounding : 1;
+  const bool is_limited = most < std::numbers::pi;
+  const double sine = is_limited ? std::sin(most - std::numbers::pi / 2) + kRounding : 1;
   for (std::size_t span = 2; span < size_; ++span) {
     for (std::size_t i = 0; i + span < size_; ++i) {
       const std::size_t j = i + span;
@@ -40,7 +40,7 @@ SmallPolygon::SmallPolygon(std::span<const Point> corners, double limit) : size_
         const double parts = std::max(cost_[i][k], cost_[k][j]);
         if (parts >= cost_[i][j]) continue;
         const Point a = corners[i], b = corners[k], c = corners[j];
-        if (is_limited && (parts > limit || is_surely_above(a, b, c, sine) ||
+        if (is_limited && (parts > most || is_surely_above(a, b, c, sine) ||
                            is_surely_above(b, c, a, sine) || is_surely_above(c, a, b, sine)))
           continue;
         const double cost = std::max(parts, largest_or_impossible(a, b, c));

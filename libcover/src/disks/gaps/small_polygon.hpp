@@ -24,15 +24,15 @@ class SmallPolygon {
  public:
   static constexpr std::size_t kMostCorners = 12;
 
-  /// Without triangles that are above `limit`, of at least a right angle: cheaper where it is known
+  /// Without triangles that are above `most`, of at least a right angle: cheaper where it is known
   /// that no triangulation with one will do.
   ///
   /// REQUIRES: 3 to kMostCorners corners, counter-clockwise
   /// Cost:     O(n^3)
-  explicit SmallPolygon(std::span<const Point> corners, double limit = kImpossible);
+  explicit SmallPolygon(std::span<const Point> corners, double most = kImpossible);
 
   /// kImpossible if there is no triangulation (the polygon is not simple, or needs a larger angle
-  /// than the limit).
+  /// than `most`).
   [[nodiscard]] double largest_angle() const { return cost_[0][size_ - 1]; }
   /// Its triangles, as corners of the polygon.
   /// REQUIRES: there is a triangulation.

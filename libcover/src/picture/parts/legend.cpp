@@ -51,9 +51,9 @@ std::vector<Legend::Row> Legend::grouped_by(std::string Entry::*key) const {
   return rows;
 }
 
-std::vector<Legend::Row> Legend::rows(std::size_t limit) const {
+std::vector<Legend::Row> Legend::rows(std::size_t most) const {
   std::vector<Row> rows = grouped_by(&Entry::region);
-  return rows.size() <= limit ? rows : grouped_by(&Entry::material);
+  return rows.size() <= most ? rows : grouped_by(&Entry::material);
 }
 
 void draw_legend(const Legend& legend, Drawing& drawing) {

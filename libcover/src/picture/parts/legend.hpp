@@ -23,9 +23,9 @@ class Legend {
     entries_.push_back({colour, std::move(region), std::move(material)});
   }
 
-  /// One row per region name or, if those are more than `limit`, per material; rows that stand for
+  /// One row per region name or, if those are more than `most`, per material; rows that stand for
   /// several regions say for how many.
-  [[nodiscard]] std::vector<Row> rows(std::size_t limit) const;
+  [[nodiscard]] std::vector<Row> rows(std::size_t most) const;
 
  private:
   struct Entry {

@@ -15,9 +15,9 @@ bool try_flip(Workplace& work, std::uint32_t t) {
     const std::uint32_t u = mesh.triangles[t].n[i];
     if (is_side(u)) continue;
     const double before = std::max(mesh.excess[t], mesh.excess[u]);
-    const double limit = improvement_of(before);
-    const double after = mesh.excess_after_flip(t, i, limit);
-    if (!(after < limit)) continue;
+    const double most = improvement_of(before);
+    const double after = mesh.excess_after_flip(t, i, most);
+    if (!(after < most)) continue;
     if (!best_edge || before - after > best_gain) {
       best_edge = i;
       best_gain = before - after;

@@ -22,11 +22,11 @@ bool try_relocate(Workplace& work, std::uint32_t t) {
   const std::array<std::uint32_t, 3> corners = mesh.triangles[t].v;
   for (const std::uint32_t v : corners) {
     if (mesh.is_fixed(v) || !cavity.start_star(v)) continue;
-    const double limit = improvement_of(cavity.worst());
+    const double most = improvement_of(cavity.worst());
     const Point before = mesh.points[v];
-    const Placement placement = place(Hole(mesh, cavity), before, limit);
+    const Placement placement = place(Hole(mesh, cavity), before, most);
     work.evaluations += placement.evaluations;
-    if (placement.worst < limit && relocate(mesh, cavity, placement.at)) {
+    if (placement.worst < most && relocate(mesh, cavity, placement.at)) {
       // A hole and the mesh round in different ways: an excess that is no more than that would be
       // mended again and again, until the budget is used up, by leaving the vertex where it is.
       if (!(worst_inside(mesh, cavity) < cavity.worst())) {

@@ -77,10 +77,10 @@ bool try_restar(Workplace& work, std::uint32_t t) {
     }
     for (;;) {
       const Hole hole(mesh, cavity);
-      const double limit = improvement_of(cavity.worst());
+      const double most = improvement_of(cavity.worst());
       Placement placement{p, kInverted};
       ++work.evaluations;
-      if (has_room(mesh, cavity, limit)) {
+      if (has_room(mesh, cavity, most)) {
         placement = place(hole, p, 0);
         work.evaluations += placement.evaluations;
         if (!(placement.worst < kInverted)) break;
@@ -88,7 +88,7 @@ bool try_restar(Workplace& work, std::uint32_t t) {
       } else if (hole.worst(p, kInverted) == kInverted) {
         break;
       }
-      const double gain = limit - placement.worst;
+      const double gain = most - placement.worst;
       if (gain > best_gain || (best_gain == 0 && placement.worst < best.worst)) {
         best_cavity = cavity;
         best = placement;
@@ -100,12 +100,12 @@ bool try_restar(Workplace& work, std::uint32_t t) {
     if (best_gain > 0 && best.worst <= 0) break;
   }
   if (!(best.worst < kInverted)) return false;
-  const double limit = improvement_of(best_cavity.worst());
+  const double most = improvement_of(best_cavity.worst());
   if (best.worst > 0) {
-    best = place(Hole(mesh, best_cavity), best.at, limit);
+    best = place(Hole(mesh, best_cavity), best.at, most);
     work.evaluations += best.evaluations;
   }
-  if (!(best.worst < limit)) return false;
+  if (!(best.worst < most)) return false;
   if (!install_star(mesh, best_cavity, best.at, work.installed)) return false;
   work.look_around_installed();
   return true;

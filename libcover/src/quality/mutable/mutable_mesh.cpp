@@ -264,7 +264,7 @@ void MutableMesh::drop_triangle(std::uint32_t t) {
   free_triangles_.push_back(t);
 }
 
-double MutableMesh::excess_after_flip(std::uint32_t t, Corner i, double limit) const {
+double MutableMesh::excess_after_flip(std::uint32_t t, Corner i, double most) const {
   const MeshTriangle& s = triangles.data()[t];
   const std::uint32_t u = s.n[i];
   const MeshTriangle& o = triangles.data()[u];
@@ -273,7 +273,7 @@ double MutableMesh::excess_after_flip(std::uint32_t t, Corner i, double limit) c
   const std::uint32_t d = o.v[j];
   const std::uint32_t between = goal_.coupling.inside ? kSomeTriangle : t;
   double worst = excess_of({a, b, d}, {o.n[j.next()], between, s.n[i.previous()]});
-  if (worst > limit) return worst;
+  if (worst > most) return worst;
   worst = std::max(worst, excess_of({a, d, c}, {o.n[j.previous()], s.n[i.next()], between}));
   if (!goal_.coupling.inside || worst == kInverted) return worst;
   const Corners k(points[a], points[b], points[d]), l(points[a], points[d], points[c]);

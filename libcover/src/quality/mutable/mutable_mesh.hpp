@@ -168,10 +168,10 @@ class MutableMesh {
   void drop_triangle(std::uint32_t t);
 
   /// The excess that the two triangles have after a flip of edge i of `t`, or anything above
-  /// `limit` once that is passed.
+  /// `most` once that is passed.
   ///
   /// REQUIRES: that edge is no side
-  [[nodiscard]] double excess_after_flip(std::uint32_t t, Corner i, double limit) const;
+  [[nodiscard]] double excess_after_flip(std::uint32_t t, Corner i, double most) const;
   /// Flips edge i of `t`. Both triangles keep their places.
   ///
   /// ENSURES: false, and nothing has changed, if exact arithmetic finds one of the new triangles

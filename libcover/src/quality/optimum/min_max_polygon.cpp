@@ -23,8 +23,8 @@ void collect(const Table& table, int i, int j, Patch& patch) {
 }
 
 /// Whether two corners of the loop can be cut off by a triangle each: every triangulation does.
-bool has_ears(const MutableMesh& mesh, const Cavity& cavity, double limit) {
-  const double largest = mesh.goal().large + limit;
+bool has_ears(const MutableMesh& mesh, const Cavity& cavity, double most) {
+  const double largest = mesh.goal().large + most;
   int ears = 0;
   for (int k = 0; k < cavity.size(); ++k) {
     const Point p = mesh.points[cavity.vertex(cavity.next(k))];
@@ -38,12 +38,12 @@ bool has_ears(const MutableMesh& mesh, const Cavity& cavity, double limit) {
 
 }  // namespace
 
-double min_max_polygon(const MutableMesh& mesh, const Cavity& cavity, double limit, Patch& patch) {
+double min_max_polygon(const MutableMesh& mesh, const Cavity& cavity, double most, Patch& patch) {
   const int size = cavity.size();
-  if (size > kPolygonLimit || (size > 3 && !has_ears(mesh, cavity, limit))) return kInverted;
+  if (size > kPolygonLimit || (size > 3 && !has_ears(mesh, cavity, most))) return kInverted;
   if (mesh.goal().coupling.inside) {
     const double worst = delaunay_polygon(mesh, cavity, patch);
-    return worst <= limit ? worst : kInverted;
+    return worst <= most ? worst : kInverted;
   }
   Table table{};
   for (int i = 0; i + 1 < size; ++i) table.best[i][i + 1] = -kInverted;
@@ -54,7 +54,7 @@ double min_max_polygon(const MutableMesh& mesh, const Cavity& cavity, double lim
       table.corner[i][j] = i + 1;
       for (int k = i + 1; k < j; ++k) {
         const double parts = std::max(table.best[i][k], table.best[k][j]);
-        if (!(parts < best) || parts > limit) continue;
+        if (!(parts < best) || parts > most) continue;
         // Across the edges opposite to i, k, j: the loop's own neighbours, or "some triangle".
         const double value =
             std::max(parts, mesh.excess_of({cavity.vertex(i), cavity.vertex(k), cavity.vertex(j)},

@@ -10,7 +10,7 @@ namespace cover {
 /// ENSURES: returns that excess, infinite if the loop is longer than `kPolygonLimit`.
 /// Cost:    O(k^3) for a loop of k edges, by dynamic programming.
 /// Ref:     G. Klincsek, Minimal triangulations of polygonal domains (1980), with max for sum
-double min_max_polygon(const MutableMesh& mesh, const Cavity& cavity, double limit, Patch& patch);
+double min_max_polygon(const MutableMesh& mesh, const Cavity& cavity, double most, Patch& patch);
 
 inline constexpr int kPolygonLimit = 10;
 

@@ -29,7 +29,7 @@ class PolygonWithVertex {
     fill_table();
   }
 
-  PlacedVertex run(double limit, Patch& patch) {
+  PlacedVertex run(double most, Patch& patch) {
     std::uint64_t evaluations = kTableCost;
     struct Start {
       double value;
@@ -50,7 +50,7 @@ class PolygonWithVertex {
       look_at(midpoint(centre, corner(k)));
       look_at(midpoint(centre, midpoint(corner(k), corner(next(k)))));
     }
-    double best = limit;
+    double best = most;
     for (const Start& start : starts) {
       if (start.value == kInverted) continue;
       double value = best_star(start.p, kInverted);
@@ -60,7 +60,7 @@ class PolygonWithVertex {
           best = value;
           collect(p, patch);
         }
-        if (best <= 0) return {best < limit ? best : kInverted, evaluations};
+        if (best <= 0) return {best < most ? best : kInverted, evaluations};
         const Placement placement = place(star_hole(), p, best);
         evaluations += placement.evaluations;
         if (!(placement.worst < value)) break;
@@ -75,7 +75,7 @@ class PolygonWithVertex {
         collect(p, patch);
       }
     }
-    return {best < limit ? best : kInverted, evaluations};
+    return {best < most ? best : kInverted, evaluations};
   }
 
  private:
@@ -110,16 +110,16 @@ class PolygonWithVertex {
     }
   }
 
-  /// The best star around `p`, kept in star_, or anything not below `limit`.
-  double best_star(Point p, double limit) {
+  /// The best star around `p`, kept in star_, or anything not below `most`.
+  double best_star(Point p, double most) {
     double cost[kPolygonLimit][kPolygonLimit];
     for (int i = 0; i < size_; ++i) {
       for (int length = 1; length < size_; ++length) {
         const double part = best_[at(i)][at(length)];
-        cost[i][length] = part < limit ? std::max(part, excess_at(i, length, p)) : kInverted;
+        cost[i][length] = part < most ? std::max(part, excess_at(i, length, p)) : kInverted;
       }
     }
-    double best = limit;
+    double best = most;
     for (int first = 0; first < size_; ++first) {
       // reach[j]: the least largest cost of a way from `first` to j; size_ stands for `first`
       // again.
@@ -193,10 +193,10 @@ class PolygonWithVertex {
 
 }  // namespace
 
-PlacedVertex min_max_polygon_with_vertex(const MutableMesh& mesh, const Cavity& cavity,
-                                         double limit, Patch& patch) {
+PlacedVertex min_max_polygon_with_vertex(const MutableMesh& mesh, const Cavity& cavity, double most,
+                                         Patch& patch) {
   if (cavity.size() > kPolygonLimit) return {};
-  return PolygonWithVertex(mesh, cavity).run(limit, patch);
+  return PolygonWithVertex(mesh, cavity).run(most, patch);
 }
 
 }  // namespace cover

@@ -18,9 +18,9 @@ struct PlacedVertex {
 /// places are tried, because there are several local optima.
 ///
 /// ENSURES: the excess is infinite if the loop is longer than `kPolygonLimit` or nothing below
-///          `limit` was found; else `patch` has the triangles.
+///          `most` was found; else `patch` has the triangles.
 /// Cost:    O(k^4) for a loop of k edges
-PlacedVertex min_max_polygon_with_vertex(const MutableMesh& mesh, const Cavity& cavity,
-                                         double limit, Patch& patch);
+PlacedVertex min_max_polygon_with_vertex(const MutableMesh& mesh, const Cavity& cavity, double most,
+                                         Patch& patch);
 
 }  // namespace cover

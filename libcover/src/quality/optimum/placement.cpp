@@ -104,20 +104,20 @@ class Hole::Spokes {
   bool is_first_ = true;
 };
 
-double Hole::worst(Point p, double limit) const {
+double Hole::worst(Point p, double most) const {
   Ratio worst{-kInverted, 1};
   for (const Edge& edge : edges()) {
     const Ratio here = excess_at(edge, p);
     if (here.is_inverted()) return kInverted;
-    if (here.exceeds(limit)) return here.value();
+    if (here.exceeds(most)) return here.value();
     if (here.exceeds(worst)) worst = here;
   }
   if (!has_spokes()) return worst.value();
-  double most = worst.value();
+  double value = worst.value();
   Spokes spokes;
   const auto look = [&](double excess, Vector) {
     const bool is_negative = goal_->coupling.strict && excess > kLeastCoupling;
-    most = std::max(most, is_negative ? kInverted : goal_->coupling.weight * excess);
+    value = std::max(value, is_negative ? kInverted : goal_->coupling.weight * excess);
   };
   for (const Edge& edge : edges()) {
     const Vector u = edge.a() - p, v = edge.b() - p, e = edge.b() - edge.a();
@@ -125,7 +125,7 @@ double Hole::worst(Point p, double limit) const {
     spokes.add({-dot(u, e) * inverse, {}}, {dot(v, e) * inverse, {}}, look);
   }
   spokes.finish(look);
-  return most;
+  return value;
 }
 
 int Hole::worst_edge(Point p, const std::array<bool, Cavity::kCapacity>& skip) const {
@@ -142,7 +142,7 @@ int Hole::worst_edge(Point p, const std::array<bool, Cavity::kCapacity>& skip) c
   return result;
 }
 
-double Hole::linearise(Point p, double limit, double reach, double level,
+double Hole::linearise(Point p, double most, double reach, double level,
                        LinearPieces& pieces) const {
   pieces.clear();
   double worst = -kInverted;
@@ -177,7 +177,7 @@ double Hole::linearise(Point p, double limit, double reach, double level,
     const double large = (std::max(apex, base) - goal_->large * area) / area;
     const double small = weight * (dots[small_at] - (goal_->small + edge.small) * area) / area;
     const double value = std::max(large, small);
-    if (value > limit) return value;
+    if (value > most) return value;
     worst = std::max(worst, value);
     add(large, -inverse * (of_dots[large_at] - dots[large_at] * across));
     if (weight > 0) add(small, inverse * weight * (of_dots[small_at] - dots[small_at] * across));
@@ -195,7 +195,7 @@ double Hole::linearise(Point p, double limit, double reach, double level,
       add_weighted(kBoundFirst, -least.value - coupling.bound, -1.0 * least.slope);
     }
     if (has_spokes()) spokes.add(cot(1), cot(2), add_spoke);
-    if (worst > limit) return worst;
+    if (worst > most) return worst;
   }
   if (has_spokes()) spokes.finish(add_spoke);
   return worst;
@@ -254,19 +254,19 @@ Placement place(const Hole& hole, Point start, double wanted) {
   return best;
 }
 
-WidestCorner::WidestCorner(const Goal& goal, double limit) {
-  const double largest = goal.large + limit;  // twice that angle is 180 degrees and another one
+WidestCorner::WidestCorner(const Goal& goal, double most) {
+  const double largest = goal.large + most;  // twice that angle is 180 degrees and another one
   cot_ = largest > 0 ? (1 - largest * largest) / (2 * largest) : kInverted;
 }
 
 namespace {
 
 /// Whether an edge of a star that halves a corner leaves angles so small that their excess is above
-/// `limit`, however it does that: the smaller half has half of it at most. With c = cot of half the
+/// `most`, however it does that: the smaller half has half of it at most. With c = cot of half the
 /// angle, its own cotangent is (c^2 - 1) / 2c.
-bool is_too_narrow(const Goal& goal, double limit, double allowed, Point before, Point p,
+bool is_too_narrow(const Goal& goal, double most, double allowed, Point before, Point p,
                    Point after) {
-  const double half = limit / goal.weight + goal.small + allowed;
+  const double half = most / goal.weight + goal.small + allowed;
   const Vector u = after - p, v = before - p;
   const double area = cross(u, v);
   return area > 0 && half > 0 && 2 * half * dot(u, v) > (half * half - 1) * area;
@@ -274,9 +274,9 @@ bool is_too_narrow(const Goal& goal, double limit, double allowed, Point before,
 
 }  // namespace
 
-bool has_room(const MutableMesh& mesh, const Cavity& cavity, double limit) {
+bool has_room(const MutableMesh& mesh, const Cavity& cavity, double most) {
   const Goal& goal = mesh.goal();
-  const WidestCorner widest(goal, limit);
+  const WidestCorner widest(goal, most);
   const auto allowed_at = [&](int k) { return allowed_small(mesh.allowance(cavity.outer(k))); };
   const int last = cavity.size() - 1;
   const Point* const points = mesh.points.data();
@@ -287,7 +287,7 @@ bool has_room(const MutableMesh& mesh, const Cavity& cavity, double limit) {
     if (!widest.allows(before, p, after)) return false;
     const double allowed = allowed_at(k);
     if (goal.weight > 0 &&
-        is_too_narrow(goal, limit, std::max(allowed, allowed_before), before, p, after))
+        is_too_narrow(goal, most, std::max(allowed, allowed_before), before, p, after))
       return false;
     before = std::exchange(p, after);
     allowed_before = allowed;

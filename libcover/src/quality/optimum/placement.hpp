@@ -42,12 +42,12 @@ class Hole {
   Hole(const Hole&) = delete;
   Hole& operator=(const Hole&) = delete;
 
-  /// The worst excess of the star from `p`, or anything above `limit` once that is passed.
-  [[nodiscard]] double worst(Point p, double limit) const;
+  /// The worst excess of the star from `p`, or anything above `most` once that is passed.
+  [[nodiscard]] double worst(Point p, double most) const;
   /// The worst excess of the star from `p`, and the excesses there as linear functions of the step
   /// from `p`, but for those that no step as long as `reach` brings above `level`; or anything
-  /// above `limit` once that is passed.
-  [[nodiscard]] double linearise(Point p, double limit, double reach, double level,
+  /// above `most` once that is passed.
+  [[nodiscard]] double linearise(Point p, double most, double reach, double level,
                                  LinearPieces& pieces) const;
   /// The loop edge with the worst triangle of the star from `p`, but for those to `skip`; -1: none.
   [[nodiscard]] int worst_edge(Point p, const std::array<bool, Cavity::kCapacity>& skip) const;
@@ -73,11 +73,11 @@ class Hole {
   std::array<Edge, Cavity::kCapacity> own_;  ///< behind edges_, for the hole of a cavity
 };
 
-/// Tells corners of a loop that are too wide for a star with excesses of at most `limit`: its edges
-/// halve them.
+/// Tells corners of a loop that are too wide for a star with excesses up to `most`: its edges halve
+/// them.
 class WidestCorner {
  public:
-  WidestCorner(const Goal& goal, double limit);
+  WidestCorner(const Goal& goal, double most);
   /// Whether the corner at `p` is narrow enough, between the vertices before and after it.
   [[nodiscard]] bool allows(Point before, Point p, Point after) const {
     const Vector u = after - p, v = before - p;
@@ -89,9 +89,9 @@ class WidestCorner {
   double cot_;  ///< of what the widest corner has beyond 180 degrees
 };
 
-/// Whether all corners of the loop are neither too wide for a star with excesses of at most `limit`
-/// nor too narrow. Where not, no place needs to be looked for.
-bool has_room(const MutableMesh& mesh, const Cavity& cavity, double limit);
+/// Whether all corners of the loop are neither too wide for a star with excesses up to `most` nor
+/// too narrow. Where not, no place needs to be looked for.
+bool has_room(const MutableMesh& mesh, const Cavity& cavity, double most);
 
 /// A place and the worst excess there.
 struct Placement {

@@ -15,24 +15,24 @@ using Numbers =
 }  // namespace
 
 std::vector<std::uint32_t> triangles_around(const MutableMesh& whole, std::uint32_t t,
-                                            std::size_t limit,
+                                            std::size_t most,
                                             std::span<const std::uint32_t> beyond) {
   std::vector<std::uint32_t> found{t};
   std::unordered_set<std::uint32_t> seen{t};
   for (std::size_t k = 0; k < found.size(); ++k) {
     for (std::uint32_t n : whole.triangles[found[k]].n) {
       if (is_side(n)) n = beyond.empty() ? kNone : beyond[side_index(n)];
-      if (n == kNone || found.size() >= limit) continue;
+      if (n == kNone || found.size() >= most) continue;
       if (seen.insert(n).second) found.push_back(n);
     }
   }
   return found;
 }
 
-Excerpt::Excerpt(const MutableMesh& whole, std::uint32_t t, std::size_t limit,
+Excerpt::Excerpt(const MutableMesh& whole, std::uint32_t t, std::size_t most,
                  std::span<const std::uint32_t> beyond, std::uint32_t spare_of_whole) {
   Numbers triangle_number, vertex_number;
-  triangles_ = triangles_around(whole, t, limit, beyond);
+  triangles_ = triangles_around(whole, t, most, beyond);
   for (std::uint32_t k = 0; k < triangles_.size(); ++k) triangle_number[triangles_[k]] = k;
   const auto is_inside = [&](std::uint32_t n) {
     return !is_side(n) && triangle_number.contains(n);

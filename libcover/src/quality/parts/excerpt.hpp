@@ -9,11 +9,11 @@
 
 namespace cover {
 
-/// The triangles nearest to `t`, by the number of edges between: `limit` of them, if there are so
+/// The triangles nearest to `t`, by the number of edges between: `most` of them, if there are so
 /// many. With `beyond`, by side: the triangle on the other side of its segment, or kNone, also over
 /// sides.
 std::vector<std::uint32_t> triangles_around(const MutableMesh& whole, std::uint32_t t,
-                                            std::size_t limit,
+                                            std::size_t most,
                                             std::span<const std::uint32_t> beyond = {});
 
 /// Some triangles around one of them, as a mesh of its own whose border is locked.
@@ -25,8 +25,8 @@ class Excerpt {
   /// These are triangles_around(). `spare` is a fixed vertex of the whole that no triangle has yet.
   ///
   /// REQUIRES: `t` is no hole
-  /// Cost:     O(`limit`), the number of triangles, if there are so many
-  Excerpt(const MutableMesh& whole, std::uint32_t t, std::size_t limit,
+  /// Cost:     O(`most`), the number of triangles, if there are so many
+  Excerpt(const MutableMesh& whole, std::uint32_t t, std::size_t most,
           std::span<const std::uint32_t> beyond = {}, std::uint32_t spare = kNone);
 
   MutableMesh mesh;
