@@ -70,16 +70,16 @@ class AlmondMethod {
     for (int trial = 0;; ++trial) {
       // Points that should have been one can be farther apart than a first guess says.
       const double unite = trial == 0 ? 1 : trial < kUnited ? 0x1p+10 : 0x1p+20;
-      const std::vector<std::uint32_t> faults =
+      const std::vector<std::uint32_t> blamed =
           try_once(unite, trial < kUnited ? 1 : kMostConflicts);
-      if (faults.empty()) break;
-      if (wake(faults)) {
+      if (blamed.empty()) break;
+      if (wake(blamed)) {
         --trial;
         all_left_out_ = false;
       } else if (all_left_out_) {
         throw InternalFault("almonds: a region without almonds fails", {input_.cdt.points.front()});
       } else if (trial < kTrials && !(trial >= kTrialsAtLeast && has_visited_enough()) &&
-                 (repair(faults, /*unite_first=*/trial == 0 && rule_.paper) || trial < kUnited)) {
+                 (repair(blamed, /*unite_first=*/trial == 0 && rule_.paper) || trial < kUnited)) {
         continue;
       } else {
         for (Almond& almond : almonds_) leave_out(almond);
@@ -96,7 +96,7 @@ class AlmondMethod {
   std::vector<std::uint32_t> try_once(double unite, std::size_t most_conflicts) {
     ChordLayer layer =
         all_left_out_ ? chords_of_sides() : cut_chords(lay_out(unite), almonds_, rule_);
-    if (!layer.faults.empty()) return layer.faults;
+    if (!layer.blamed.empty()) return layer.blamed;
     const bool no_almonds =
         all_left_out_ || (std::none_of(almonds_.begin(), almonds_.end(),
                                        [](const Almond& a) { return a.has_arc(); }) &&
@@ -104,7 +104,7 @@ class AlmondMethod {
     Remainder remainder =
         no_almonds ? whole_region(input_.cdt, layer, almonds_)
                    : find_remainder(layer, almonds_, isolated_off_arcs(layer), most_conflicts);
-    if (!remainder.faults.empty()) return remainder.faults;
+    if (!remainder.blamed.empty()) return remainder.blamed;
 
     mesh_.points = std::move(layer.points);
     mesh_.triangles.clear();
@@ -122,9 +122,9 @@ class AlmondMethod {
       if (!sleeping.empty()) return sleeping;
       add_fill(fill.finish(), std::move(vertex), arc_chord, splits);
     }
-    std::vector<std::uint32_t> faults =
+    std::vector<std::uint32_t> blamed =
         triangulate_almonds(almonds_, layer, splits, rule_, mesh_.points, mesh_.triangles);
-    if (!faults.empty()) return faults;
+    if (!blamed.empty()) return blamed;
     return almonds_over_lost_points();
   }
 
@@ -209,18 +209,18 @@ class AlmondMethod {
         if (v < used.size()) used[v] = true;
       }
     }
-    std::vector<std::uint32_t> faults;
+    std::vector<std::uint32_t> blamed;
     for (const std::uint32_t v : isolated_) {
       if (used[v]) continue;
       const Point p = input_.cdt.points[v];
       for (std::uint32_t k = 0; k < almonds_.size(); ++k) {
         const Almond& a = almonds_[k];
         if (a.has_arc() && a.power(p) < 0x1p-20 * a.length * a.length && a.on_the_arc(p)) {
-          faults.push_back(k);
+          blamed.push_back(k);
         }
       }
     }
-    return faults;
+    return blamed;
   }
 
   void flatten_below_resolution() {
@@ -287,10 +287,10 @@ class AlmondMethod {
   }
 
   /// False if that changed nothing: the next trial would end as this one did.
-  bool repair(std::vector<std::uint32_t> faults, bool unite_first) {
-    sort_unique(faults);
+  bool repair(std::vector<std::uint32_t> blamed, bool unite_first) {
+    sort_unique(blamed);
     bool is_changed = false;
-    for (const std::uint32_t k : faults) {
+    for (const std::uint32_t k : blamed) {
       if (unite_first) {
         is_changed = is_changed || repairs_[k] == 0;
         repairs_[k] = std::max(repairs_[k], 1);

@@ -94,12 +94,12 @@ std::vector<std::uint32_t> triangulate_almonds(
     const CutRule& rule, std::vector<Point>& points,
     std::vector<std::array<std::uint32_t, 3>>& triangles) {
   Almonds work(layer, splits, rule, points, triangles);
-  std::vector<std::uint32_t> faults;
+  std::vector<std::uint32_t> blamed;
   for (std::uint32_t k = 0; k < almonds.size(); ++k) {
     if (almonds[k].kind == AlmondKind::hull_side) continue;
-    if (!work.triangulate(k, almonds[k])) faults.push_back(k);
+    if (!work.triangulate(k, almonds[k])) blamed.push_back(k);
   }
-  return faults;
+  return blamed;
 }
 
 }  // namespace cover

@@ -67,7 +67,7 @@ bool is_side(const ArcChord& chord) { return chord.place_a == 0 && chord.place_b
 /// another side: the two sides of a slit are no neighbours.
 std::vector<std::uint32_t> pair_chords(std::vector<ArcChord>& chords, std::size_t points) {
   ChordsFrom sides(points, chords.size()), others(points, chords.size());
-  std::vector<std::uint32_t> faults;
+  std::vector<std::uint32_t> blamed;
   for (std::uint32_t c = 0; c < chords.size(); ++c) {
     const ArcChord& chord = chords[c];
     if (is_side(chord)) {
@@ -75,7 +75,7 @@ std::vector<std::uint32_t> pair_chords(std::vector<ArcChord>& chords, std::size_
       continue;
     }
     const std::uint32_t twin = others.find(chords, chord.a, chord.b);
-    if (twin != kNone) faults.insert(faults.end(), {chord.almond, chords[twin].almond});
+    if (twin != kNone) blamed.insert(blamed.end(), {chord.almond, chords[twin].almond});
     others.add(c, chord.a);
   }
   for (ArcChord& chord : chords) {
@@ -84,7 +84,7 @@ std::vector<std::uint32_t> pair_chords(std::vector<ArcChord>& chords, std::size_
     if (partner == kNone) partner = others.find(chords, chord.b, chord.a);
     if (partner != kNone) chord.kind = chords[partner].kind = ChordKind::interior;
   }
-  return faults;
+  return blamed;
 }
 
 /// How many pieces a chord is cut into: exterior ones as the rule says, others not at all.
@@ -113,7 +113,7 @@ bool CutRule::is_kept_by(Point a, Point b, Point c) const {
 ChordLayer cut_chords(ArcLayer layer, std::span<const Almond> almonds, const CutRule& rule) {
   std::vector<ArcChord> joined = join_vertices(layer);
   ChordLayer cut;
-  cut.faults = pair_chords(joined, layer.points.size());
+  cut.blamed = pair_chords(joined, layer.points.size());
   cut.points = std::move(layer.points);
   std::size_t pieces = 0;
   for (ArcChord& chord : joined) {

@@ -60,7 +60,7 @@ struct ChordLayer {
   std::vector<Point> points;         ///< those of the arc layer, then where exterior chords are cut
   std::vector<std::uint32_t> first;  ///< by almond, into `chords`; one more at the end
   std::vector<ArcChord> chords;      ///< from u to v
-  std::vector<std::uint32_t> faults;  ///< almonds that claim the same chord on the same side
+  std::vector<std::uint32_t> blamed;  ///< almonds that claim the same chord on the same side
 
   [[nodiscard]] std::span<const ArcChord> of(std::size_t almond) const {
     return std::span(chords).subspan(first[almond], first[almond + 1] - first[almond]);

@@ -20,32 +20,31 @@ namespace {
 
 std::string side_text(Point a, Point b) { return "from " + describe(a) + " to " + describe(b); }
 
-/// The fault at the points with these indices.
-BoundaryFault fault_at(std::string what, std::span<const Point> points,
-                       std::vector<std::uint32_t> indices) {
-  BoundaryFault fault{std::move(what), {}, std::move(indices)};
-  for (const std::uint32_t v : fault.points) fault.where.push_back(points[v]);
-  return fault;
+/// The flaw at the points with these indices.
+Flaw flaw_at(std::string what, std::span<const Point> points, std::vector<std::uint32_t> indices) {
+  Flaw flaw{std::move(what), {}, std::move(indices)};
+  for (const std::uint32_t v : flaw.points) flaw.where.push_back(points[v]);
+  return flaw;
 }
 
-BoundaryFault describe_conflict(const CdtConflict& conflict, std::span<const Point> points,
-                                std::span<const IndexPair> sides) {
+Flaw describe_conflict(const CdtConflict& conflict, std::span<const Point> points,
+                       std::span<const IndexPair> sides) {
   const auto [p, other] = std::pair(conflict.first, conflict.second);
   const auto text = [&](std::uint32_t s) {
     return side_text(points[sides[s][0]], points[sides[s][1]]);
   };
   switch (conflict.kind) {
     case CdtConflict::Kind::duplicate_point:
-      return fault_at("two points have the same coordinates " + describe(points[p]), points,
-                      {p, other});
+      return flaw_at("two points have the same coordinates " + describe(points[p]), points,
+                     {p, other});
     case CdtConflict::Kind::point_on_segment:
-      return fault_at("the point " + describe(points[p]) + " lies on the side " + text(other),
-                      points, {p, sides[other][0], sides[other][1]});
+      return flaw_at("the point " + describe(points[p]) + " lies on the side " + text(other),
+                     points, {p, sides[other][0], sides[other][1]});
     case CdtConflict::Kind::crossing:
       break;
   }
-  return fault_at("the sides " + text(p) + " and " + text(other) + " cross", points,
-                  {sides[p][0], sides[p][1], sides[other][0], sides[other][1]});
+  return flaw_at("the sides " + text(p) + " and " + text(other) + " cross", points,
+                 {sides[p][0], sides[p][1], sides[other][0], sides[other][1]});
 }
 
 /// A triangle on the right of a side that is no slit: across the edge, or none.
@@ -146,8 +145,8 @@ class Assembly {
 /// In the order in which points were inserted.
 Triangulation as_made(std::span<const Point> points, std::span<const IndexPair> sides) {
   CdtResult cdt = triangulate_domain(points, sides);
-  if (auto fault = find_fault(cdt, points, sides))
-    throw InternalFault(fault->what, std::move(fault->where));
+  if (auto flaw = find_flaw(cdt, points, sides))
+    throw InternalFault(flaw->what, std::move(flaw->where));
   return std::move(cdt.triangulation);
 }
 
@@ -159,8 +158,8 @@ bool are_corners(std::span<const IndexTriple> triangles, std::size_t points) {
 
 }  // namespace
 
-std::optional<BoundaryFault> find_fault(const CdtResult& cdt, std::span<const Point> points,
-                                        std::span<const IndexPair> sides) {
+std::optional<Flaw> find_flaw(const CdtResult& cdt, std::span<const Point> points,
+                              std::span<const IndexPair> sides) {
   if (!cdt.conflicts.empty()) return describe_conflict(cdt.conflicts.front(), points, sides);
   const Triangulation& triangulation = cdt.triangulation;
   const std::vector<EdgeRef> at = locate_sides(triangulation, sides);
@@ -172,7 +171,7 @@ std::optional<BoundaryFault> find_fault(const CdtResult& cdt, std::span<const Po
       continue;
     const char* const what =
         at[s].triangle == kNone ? " has no triangle on its left" : " has a triangle on its right";
-    return fault_at("the side " + side_text(points[u], points[v]) + what, points, {u, v});
+    return flaw_at("the side " + side_text(points[u], points[v]) + what, points, {u, v});
   }
   std::vector<bool> used(points.size(), false);
   for (const Triangle& t : triangulation.triangles) {
@@ -181,7 +180,7 @@ std::optional<BoundaryFault> find_fault(const CdtResult& cdt, std::span<const Po
   const auto lost = std::find(used.begin(), used.end(), false);
   if (lost == used.end()) return std::nullopt;
   const auto p = static_cast<std::uint32_t>(lost - used.begin());
-  return fault_at("the point " + describe(points[p]) + " does not lie in the region", points, {p});
+  return flaw_at("the point " + describe(points[p]) + " does not lie in the region", points, {p});
 }
 
 void put_in_order(std::size_t points, std::vector<IndexTriple>& triangles, const Team& team) {

@@ -13,8 +13,9 @@
 
 namespace cover {
 
-/// Why sides do not bound a region with all points in or on it, and where.
-struct BoundaryFault {
+/// Why sides do not bound a region with all points in or on it, or triangles do not fill it, and
+/// where.
+struct Flaw {
   std::string what;  ///< "the sides from (0, 0) to (1, 1) and from (0, 1) to (1, 0) cross"
   std::vector<Point> where;
   std::vector<std::uint32_t> points;  ///< the same places, as indices
@@ -27,8 +28,8 @@ struct BoundaryFault {
 ///           lexicographic order
 /// EXACT:    yes
 /// Cost:     O(n log n), one pass
-std::optional<BoundaryFault> find_fault(const CdtResult& cdt, std::span<const Point> points,
-                                        std::span<const IndexPair> sides);
+std::optional<Flaw> find_flaw(const CdtResult& cdt, std::span<const Point> points,
+                              std::span<const IndexPair> sides);
 
 /// Regions of no more points than the one and from the other on are triangulated in order: in small
 /// ones all moves are tried in any case, and large ones average over many places.

@@ -37,7 +37,7 @@ bool is_sound(const Work& work) {
   // Cuts may be too near to each other, or rounded to beyond what faces them.
   if (!triangulate_whole(work.pslg).conflicts.empty()) return false;
   for (std::size_t r = 0; r < work.meshes.size(); ++r)
-    if (find_fault(work.boundaries[r], work.meshes[r])) return false;
+    if (find_flaw(work.boundaries[r], work.meshes[r])) return false;
   return true;
 }
 

@@ -41,7 +41,7 @@ Result<std::vector<std::size_t>> mesh_changed(Work& work, std::vector<RegionBoun
 void measure_again(Work& work, const Options& options, Unreached why = Unreached::unknown);
 
 /// Whether no segments meet but at their ends, and the mesh of every region is one of its region,
-/// see find_fault().
+/// see find_flaw().
 bool is_sound(const Work& work);
 
 }  // namespace cover

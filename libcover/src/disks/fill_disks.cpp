@@ -49,7 +49,7 @@ constexpr double kRight = std::numbers::pi / 2 + 1e-6;
 /// A filling with what its checks found.
 struct Checked {
   Filling filling;
-  std::string fault;         ///< empty: valid
+  std::string flaw;          ///< empty: valid
   double largest_angle = 0;  ///< radians
   PackingRecord record;
 };
@@ -77,12 +77,12 @@ class TaskRun {
                            : place_boundary_disks(packing, cdt_, task_.chords, radii_);
     const std::size_t corner_disks = packing.elements.size();
     if (!connect_holes(packing, pairs, attempt.tolerance)) {
-      result.fault = "a hole could not be connected";
+      result.flaw = "a hole could not be connected";
       return result;
     }
     const std::size_t connected = packing.elements.size();
     if (!reduce_cycles(packing, attempt.tolerance)) {
-      result.fault = "a cycle could not be split";
+      result.flaw = "a cycle could not be split";
       return result;
     }
     if (options_.record != nullptr) {
@@ -94,7 +94,7 @@ class TaskRun {
       remove_spare_vertices(packing.draft, static_cast<Index>(task_.points.size()), kRight);
     hand_over(packing, result.filling);
     check(result);
-    if (options_.record != nullptr && result.fault.empty()) note_result(result);
+    if (options_.record != nullptr && result.flaw.empty()) note_result(result);
     return result;
   }
 
@@ -223,15 +223,15 @@ class TaskRun {
     for (const auto& t : result.filling.triangles) {
       const Point a = point(result.filling, t[0]), b = point(result.filling, t[1]),
                   c = point(result.filling, t[2]);
-      if (orientation(a, b, c) != Sign::positive) result.fault = "a triangle was turned over";
+      if (orientation(a, b, c) != Sign::positive) result.flaw = "a triangle was turned over";
       area += doubled_area(a, b, c);
       result.largest_angle = std::max(result.largest_angle, largest_angle_in(a, b, c));
     }
     for (const Chord& c : task_.chords)
       wanted += doubled_area(o, task_.points[c.a], task_.points[c.b]);
     constexpr double kAreaError = 1e-10;
-    if (!(std::abs(area - wanted) <= kAreaError * wanted)) result.fault = "the area is wrong";
-    if (!edges_match(result.filling)) result.fault = "edges do not match";
+    if (!(std::abs(area - wanted) <= kAreaError * wanted)) result.flaw = "the area is wrong";
+    if (!edges_match(result.filling)) result.flaw = "edges do not match";
   }
 
   const FillTask& task_;
@@ -291,18 +291,18 @@ Filling run_attempts(const FillTask& task, std::span<const double> radii,
   const TaskRun run(task, cdt.triangulation, radii, options);
   constexpr double kAim = Angle::degrees(kLargestSnapped).in_radians();
   std::optional<Checked> best;
-  std::string fault = "stopped";
+  std::string flaw = "stopped";
   int attempts = 0;
   for (const Attempt& a : kAttempts) {
     if (stop.stop_requested() || (best && best->largest_angle <= kAim)) break;
     if (!best && attempts == kBrokenTwice && task.chords.size() > kManyChords) break;
     Checked result = run.attempt(a);
-    if (!result.fault.empty() && ++attempts == 1) fault = result.fault;
-    if (!result.fault.empty()) continue;
+    if (!result.flaw.empty() && ++attempts == 1) flaw = result.flaw;
+    if (!result.flaw.empty()) continue;
     ++attempts;
     if (!best || result.largest_angle < best->largest_angle) best = std::move(result);
   }
-  if (!best) return plain(cdt.triangulation, "rounding defeated the disk packing: " + fault);
+  if (!best) return plain(cdt.triangulation, "rounding defeated the disk packing: " + flaw);
   if (best->largest_angle > kAim) {
     best->filling.target_reached = false;
     best->filling.remark = "rounding of tiny features left an angle of " +

@@ -109,7 +109,7 @@ Rest rest_of(const RegionBoundary& boundary, const LayerFront& front) {
 /// The vertices where the front does not bound a region, or no mesh of it can hold the bound.
 std::vector<std::uint32_t> hopeless_places(const RegionBoundary& rest, Angle nu_bound) {
   const CdtResult result = triangulate_domain(rest.points, rest.sides);
-  if (const auto fault = find_fault(result, rest.points, rest.sides)) return fault->points;
+  if (const auto flaw = find_flaw(result, rest.points, rest.sides)) return flaw->points;
   const Triangulation& cdt = result.triangulation;
   const AngleLimit limit = angle_limit(cdt, rest.sides, rest.segments);
   std::vector<std::uint32_t> out;
@@ -310,9 +310,9 @@ class LayeredRegion {
     RegionReport& report = mesh.report;
     report.id = boundary_.id;
     set_bound(limit_, report);
-    if (const auto fault = find_fault({all_points(boundary_, mesh), mesh.triangles, boundary_.sides,
-                                       boundary_.segments, boundary_.points.size()}))
-      return fault->points.empty() ? std::vector<std::uint32_t>{0} : fault->points;
+    if (const auto flaw = find_flaw({all_points(boundary_, mesh), mesh.triangles, boundary_.sides,
+                                     boundary_.segments, boundary_.points.size()}))
+      return flaw->points.empty() ? std::vector<std::uint32_t>{0} : flaw->points;
     if (options_.couplings != Couplings::last) mend_couplings(boundary_, mesh);
     fill_report(boundary_, mesh);
     if (options_.couplings != Couplings::last) {

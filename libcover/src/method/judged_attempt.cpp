@@ -1,4 +1,4 @@
-// Several threads judge a large mesh: one looks for faults while others measure it, and make what
+// Several threads judge a large mesh: one looks for flaws while others measure it, and make what
 // its limits will need.
 // Tested by tests/unit/method/mesh_one_region_test.cpp.
 #include "method/judged_attempt.hpp"
@@ -31,7 +31,7 @@ Attempt judged(ProvenMesh made, const RegionBoundary& boundary, const std::stop_
       !out.proof && team.workers() > 1 && mesh.triangles.size() >= kManyToJudge &&
       std::any_of(notes.begin(), notes.end(),
                   [](const Note& note) { return note.kind == Note::Kind::target_missed; });
-  // Large meshes are measured meanwhile, too, and once more if they are faulty.
+  // Large meshes are measured meanwhile, too, and once more if they are flawed.
   const bool measures_ahead = team.workers() > 1 && mesh.triangles.size() >= kManyToJudge;
   std::vector<std::uint32_t> across;
   const RegionReport unmeasured = measures_ahead ? mesh.report : RegionReport();
@@ -44,18 +44,18 @@ Attempt judged(ProvenMesh made, const RegionBoundary& boundary, const std::stop_
               } else if (k == 1) {
                 fill_report(boundary, mesh, team);
               } else {
-                out.fault = find_fault({points, mesh.triangles, boundary.sides, boundary.segments,
-                                        boundary.points.size()},
-                                       team, measures_ahead ? nullptr : &across);
+                out.flaw = find_flaw({points, mesh.triangles, boundary.sides, boundary.segments,
+                                      boundary.points.size()},
+                                     team, measures_ahead ? nullptr : &across);
               }
             });
-  if (out.fault) {
+  if (out.flaw) {
     mesh.steiner.clear();
     mesh.triangles.clear();
     across.clear();
     if (measures_ahead) mesh.report = unmeasured;
   }
-  if (out.fault || !measures_ahead) fill_report(boundary, mesh, team, std::move(across));
+  if (out.flaw || !measures_ahead) fill_report(boundary, mesh, team, std::move(across));
   return out;
 }
 

@@ -13,10 +13,10 @@ namespace cover {
 
 /// A mesh, and why it does not fill its region, if it does not: then it has no triangles.
 struct Attempt : ProvenMesh {
-  std::optional<BoundaryFault> fault{};
+  std::optional<Flaw> flaw{};
 };
 
-/// What a method made of the region, measured, and its fault. Neither if the run is to stop.
+/// What a method made of the region, measured, and its flaw. Neither if the run is to stop.
 Attempt judged(ProvenMesh made, const RegionBoundary& boundary, const std::stop_token& stop,
                const Team& team);
 

@@ -59,14 +59,14 @@ ProvenMesh plain_region(const RegionBoundary& boundary, const Options&, const st
 Note note_of_fallback(const RegionBoundary& boundary, const Attempt& attempt, std::string_view from,
                       std::string_view to) {
   const RegionReport& report = attempt.mesh.report;
-  std::string what = attempt.fault
-                         ? "broke the mesh (" + attempt.fault->what + ")"
+  std::string what = attempt.flaw
+                         ? "broke the mesh (" + attempt.flaw->what + ")"
                          : fmt::format("put an angle of {:.12g} degrees beyond the bound",
                                        report.quality.largest_nu.supplement().in_degrees());
   return {Note::Kind::fallback, boundary.id,
           fmt::format("region {}: with the {} method, rounding {}; the {} was used instead",
                       boundary.id.value(), from, what, to),
-          attempt.fault ? attempt.fault->where : std::vector<Point>{}};
+          attempt.flaw ? attempt.flaw->where : std::vector<Point>{}};
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ ProvenMesh method_with_fallback(const RegionBoundary& boundary, const Options& o
   Attempt first = attempt(quality ? by_quality : by_almonds, boundary, options, stop, team);
   const bool promised = CutRule{options.paper, options.pieces}.promises_bound();
   const bool will_do =
-      !first.fault && (first.mesh.report.bound_held || !promised || boundary.is_rest);
+      !first.flaw && (first.mesh.report.bound_held || !promised || boundary.is_rest);
   if (stop.stop_requested() || will_do) return first;
   const auto by_the_other = [&]() -> ProvenMesh {
     if (!quality) return quality_region(boundary, options, stop, {team}, first.mesh);
@@ -89,9 +89,9 @@ ProvenMesh method_with_fallback(const RegionBoundary& boundary, const Options& o
   Attempt other = judged(by_the_other(), boundary, stop, team);
   other.proof = std::move(first.proof);
   if (stop.stop_requested()) return other;
-  if (first.fault && other.fault) {
+  if (first.flaw && other.flaw) {
     Attempt plain = attempt(plain_region, boundary, options, stop, team);
-    if (plain.fault) throw InternalFault(plain.fault->what, std::move(plain.fault->where));
+    if (plain.flaw) throw InternalFault(plain.flaw->what, std::move(plain.flaw->where));
     plain.mesh.report.notes.push_back(
         note_of_fallback(boundary, first, asked, "constrained Delaunay triangulation"));
     plain.mesh.report.notes.push_back(
@@ -99,8 +99,8 @@ ProvenMesh method_with_fallback(const RegionBoundary& boundary, const Options& o
     plain.proof = std::move(other.proof);
     return plain;
   }
-  if (!first.fault && (other.fault || other.mesh.report.quality.largest_nu <=
-                                          first.mesh.report.quality.largest_nu)) {
+  if (!first.flaw && (other.flaw || other.mesh.report.quality.largest_nu <=
+                                        first.mesh.report.quality.largest_nu)) {
     first.proof = std::move(other.proof);
     return first;
   }

@@ -64,7 +64,7 @@ class Nonobtuse {
         options_(options),
         callbacks_(callbacks),
         fillings_(work.boundaries.size()),
-        faults_(work.boundaries.size()),
+        flaws_(work.boundaries.size()),
         packings_(callbacks.packing ? work.boundaries.size() : 0) {
     work.meshes.resize(work.boundaries.size());
   }
@@ -100,7 +100,7 @@ class Nonobtuse {
         std::exchange(work_.boundaries, split_regions(work_.pslg, work_.table));
     for (std::size_t r = 0; r < before.size(); ++r) renumber(before[r], ids[r], r);
     status = for_each([&](std::size_t r) { finish(r); });
-    return status ? first_fault() : status;
+    return status ? first_flaw() : status;
   }
 
   /// Cuts the segments at what the fillings put on them. Returns, by region, the PSLG vertex of
@@ -217,9 +217,9 @@ class Nonobtuse {
     Status status = for_each([&](std::size_t r) {
       const StageClock clock;
       const RegionBoundary& boundary = work_.boundaries[r];
-      faults_[r] = find_fault(triangulate_domain(boundary.points, boundary.sides), boundary.points,
-                              boundary.sides);
-      if (faults_[r]) return;
+      flaws_[r] = find_flaw(triangulate_domain(boundary.points, boundary.sides), boundary.points,
+                            boundary.sides);
+      if (flaws_[r]) return;
       std::vector<double> local;
       for (const VertexId v : work_.boundaries[r].vertices) local.push_back(radius[v.index()]);
       fillings_[r] =
@@ -229,19 +229,19 @@ class Nonobtuse {
       finish(r);
       work_.meshes[r].report.seconds = clock.seconds();
     });
-    return status ? first_fault() : status;
+    return status ? first_flaw() : status;
   }
 
   /// The region that rounding broke, if there is one.
-  [[nodiscard]] Status first_fault() const {
-    for (std::size_t r = 0; r < faults_.size(); ++r) {
-      if (!faults_[r]) continue;
+  [[nodiscard]] Status first_flaw() const {
+    for (std::size_t r = 0; r < flaws_.size(); ++r) {
+      if (!flaws_[r]) continue;
       return Error{ErrorCode::meshing_incomplete,
                    fmt::format("method nonobtuse: region {} needs points on its segments that are "
                                "nearer to each other than coordinates can tell: {}; use another "
                                "method",
-                               work_.boundaries[r].id.value(), faults_[r]->what),
-                   faults_[r]->where,
+                               work_.boundaries[r].id.value(), flaws_[r]->what),
+                   flaws_[r]->where,
                    {}};
     }
     return ok();
@@ -283,8 +283,8 @@ class Nonobtuse {
     mesh.report.id = boundary.id;
     mesh.report.method = "nonobtuse";
     const CdtResult cdt = triangulate_domain(boundary.points, boundary.sides);
-    faults_[r] = find_fault(cdt, boundary.points, boundary.sides);
-    if (faults_[r]) return;
+    flaws_[r] = find_flaw(cdt, boundary.points, boundary.sides);
+    if (flaws_[r]) return;
     set_bound(angle_limit(cdt.triangulation, boundary.sides, boundary.segments), mesh.report);
     if (!fillings_[r].target_reached) {
       mesh.report.notes.push_back(
@@ -293,7 +293,7 @@ class Nonobtuse {
            fmt::format("region {}: {}", boundary.id.value(), fillings_[r].remark),
            {}});
     }
-    faults_[r] = find_fault(boundary, mesh);
+    flaws_[r] = find_flaw(boundary, mesh);
     fill_report(boundary, mesh);
     if (fillings_[r].target_reached) return;
     for (Note& note : mesh.report.notes) {
@@ -306,8 +306,8 @@ class Nonobtuse {
   const Options& options_;
   const Callbacks& callbacks_;
   std::vector<Filling> fillings_;
-  std::vector<std::optional<BoundaryFault>> faults_;  ///< by region: what rounding broke
-  std::vector<PackingRecord> packings_;               ///< empty where nobody asks for them
+  std::vector<std::optional<Flaw>> flaws_;  ///< by region: what rounding broke
+  std::vector<PackingRecord> packings_;     ///< empty where nobody asks for them
 };
 
 }  // namespace

@@ -30,19 +30,19 @@ class Finder {
         edges_(mesh.points.size(), mesh.triangles, team),
         is_side_(3 * mesh.triangles.size(), 0) {}
 
-  std::optional<BoundaryFault> find(std::vector<std::uint32_t>* across) {
+  std::optional<Flaw> find(std::vector<std::uint32_t>* across) {
     across_ = across;
-    std::optional<BoundaryFault> fault = find_bad_triangle();
-    if (!fault) fault = find_missing_side();
-    if (!fault) fault = find_open_edge();
-    if (!fault) fault = find_lost_point();
-    return fault;
+    std::optional<Flaw> flaw = find_bad_triangle();
+    if (!flaw) flaw = find_missing_side();
+    if (!flaw) flaw = find_open_edge();
+    if (!flaw) flaw = find_lost_point();
+    return flaw;
   }
 
  private:
   [[nodiscard]] Point at(std::uint32_t v) const { return mesh_.points[v]; }
 
-  static BoundaryFault edge_fault(Point a, Point b, const char* what) {
+  static Flaw edge_flaw(Point a, Point b, const char* what) {
     return {"the edge from " + describe(a) + " to " + describe(b) + what, {a, b}, {}};
   }
 
@@ -62,26 +62,26 @@ class Finder {
     return found;
   }
 
-  [[nodiscard]] std::optional<BoundaryFault> find_bad_triangle() const {
+  [[nodiscard]] std::optional<Flaw> find_bad_triangle() const {
     const auto& triangles = mesh_.triangles;
-    if (triangles.empty()) return BoundaryFault{"there are no triangles", {}, {}};
+    if (triangles.empty()) return Flaw{"there are no triangles", {}, {}};
     const std::size_t bad = find_first(triangles.size(), [&](std::size_t t) {
       const auto& [a, b, c] = triangles[t];
       return orientation(at(a), at(b), at(c)) != Sign::positive;
     });
     if (bad != triangles.size()) {
       const auto& [a, b, c] = triangles[bad];
-      return BoundaryFault{"the triangle " + describe(at(a)) + ", " + describe(at(b)) + ", " +
-                               describe(at(c)) + " is not counter-clockwise",
-                           {at(a), at(b), at(c)},
-                           {}};
+      return Flaw{"the triangle " + describe(at(a)) + ", " + describe(at(b)) + ", " +
+                      describe(at(c)) + " is not counter-clockwise",
+                  {at(a), at(b), at(c)},
+                  {}};
     }
     if (edges_.all_different(team_)) return std::nullopt;
-    return BoundaryFault{"two triangles have the same edge", {}, {}};
+    return Flaw{"two triangles have the same edge", {}, {}};
   }
 
   /// Whole sides first, which are no pieces of others.
-  std::optional<BoundaryFault> find_missing_side() {
+  std::optional<Flaw> find_missing_side() {
     std::vector<std::uint8_t> is_missing(mesh_.sides.size(), 0);
     team_.each_range(mesh_.sides.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t s = first; s < last; ++s) {
@@ -94,7 +94,7 @@ class Finder {
       const auto s = static_cast<std::size_t>(missing - is_missing.begin());
       const auto& [a, b] = mesh_.sides[s];
       if (mesh_.segments[s] != kHullSide || !walk_hull(a, b))
-        return edge_fault(at(a), at(b), " is a side, and no edge of the triangles");
+        return edge_flaw(at(a), at(b), " is a side, and no edge of the triangles");
     }
     return std::nullopt;
   }
@@ -128,7 +128,7 @@ class Finder {
     std::sort(open_.begin(), open_.end());
   }
 
-  [[nodiscard]] std::optional<BoundaryFault> find_open_edge() const {
+  [[nodiscard]] std::optional<Flaw> find_open_edge() const {
     if (across_ != nullptr) across_->resize(edges_.size());
     const auto is_open = [&](std::uint32_t h) {
       const std::uint32_t twin = edges_.twin(h);
@@ -141,12 +141,12 @@ class Finder {
         edges_.size(), [&](std::size_t h) { return is_open(static_cast<std::uint32_t>(h)); });
     if (bad == edges_.size()) return std::nullopt;
     const auto h = static_cast<std::uint32_t>(bad);
-    return edge_fault(at(edges_.source(h)), at(edges_.target(h)),
-                      is_side_[h] == 0 ? " has nothing on its other side, and is no side"
-                                       : " is a side, and has triangles on both sides");
+    return edge_flaw(at(edges_.source(h)), at(edges_.target(h)),
+                     is_side_[h] == 0 ? " has nothing on its other side, and is no side"
+                                      : " is a side, and has triangles on both sides");
   }
 
-  [[nodiscard]] std::optional<BoundaryFault> find_lost_point() const {
+  [[nodiscard]] std::optional<Flaw> find_lost_point() const {
     std::vector<std::uint8_t> used(mesh_.points.size(), 0);
     team_.each_range(mesh_.triangles.size(), kItemsAtATime,
                      [&](std::size_t first, std::size_t last) {
@@ -158,7 +158,7 @@ class Finder {
     const auto lost = std::find(used.begin(), end, 0);
     if (lost == end) return std::nullopt;
     const auto v = static_cast<std::uint32_t>(lost - used.begin());
-    return BoundaryFault{"the point " + describe(at(v)) + " is no vertex", {at(v)}, {v}};
+    return Flaw{"the point " + describe(at(v)) + " is no vertex", {at(v)}, {v}};
   }
 
   struct OpenEdge {
@@ -177,14 +177,14 @@ class Finder {
 
 }  // namespace
 
-std::optional<BoundaryFault> find_fault(const MeshOfRegion& mesh, const Team& team,
-                                        std::vector<std::uint32_t>* across) {
+std::optional<Flaw> find_flaw(const MeshOfRegion& mesh, const Team& team,
+                              std::vector<std::uint32_t>* across) {
   return Finder(mesh, team).find(across);
 }
 
-std::optional<BoundaryFault> find_fault(const RegionBoundary& boundary, const RegionMesh& mesh) {
-  return find_fault({all_points(boundary, mesh), mesh.triangles, boundary.sides, boundary.segments,
-                     boundary.points.size()});
+std::optional<Flaw> find_flaw(const RegionBoundary& boundary, const RegionMesh& mesh) {
+  return find_flaw({all_points(boundary, mesh), mesh.triangles, boundary.sides, boundary.segments,
+                    boundary.points.size()});
 }
 
 }  // namespace cover

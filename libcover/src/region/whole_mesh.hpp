@@ -30,11 +30,11 @@ struct MeshOfRegion {
 /// side is no edge, an edge on the outside is no side, an edge occurs twice, a point of the
 /// boundary has no triangle. Sides of the hull may be split, by points near them.
 ///
-/// ENSURES: if there is no fault, `across`, unless null, is what across_edges() would make
+/// ENSURES: if there is no flaw, `across`, unless null, is what across_edges() would make
 /// EXACT:   yes, up to where the points on split sides of the hull lie
 /// Cost:    O(triangles), for the few edges that a vertex usually has
-std::optional<BoundaryFault> find_fault(const MeshOfRegion& mesh, const Team& team = {},
-                                        std::vector<std::uint32_t>* across = nullptr);
-std::optional<BoundaryFault> find_fault(const RegionBoundary& boundary, const RegionMesh& mesh);
+std::optional<Flaw> find_flaw(const MeshOfRegion& mesh, const Team& team = {},
+                              std::vector<std::uint32_t>* across = nullptr);
+std::optional<Flaw> find_flaw(const RegionBoundary& boundary, const RegionMesh& mesh);
 
 }  // namespace cover

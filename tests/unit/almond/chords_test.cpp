@@ -18,7 +18,7 @@ TEST(CutChords, PaperCutsIntoSixths) {
   const Stages s(testing::boundary_of({testing::regular_polygon(40)}));
   EXPECT_EQ(s.count(ChordKind::exterior), 240U);
   EXPECT_EQ(s.count(ChordKind::interior), 0U);
-  EXPECT_TRUE(s.layer.faults.empty());
+  EXPECT_TRUE(s.layer.blamed.empty());
 }
 
 TEST(CutChords, InteriorChordsComeInPairs) {

@@ -19,7 +19,7 @@ RegionMesh mesh_of(const RegionBoundary& boundary, const Options& options = {}) 
 }
 
 void expect_covering(const RegionBoundary& boundary, const RegionMesh& mesh) {
-  EXPECT_FALSE(find_fault(boundary, mesh));
+  EXPECT_FALSE(find_flaw(boundary, mesh));
   EXPECT_TRUE(mesh.report.bound_held);
   EXPECT_EQ(mesh.report.quality.triangles, mesh.triangles.size());
   EXPECT_EQ(mesh.report.steiner_vertices, mesh.steiner.size());

@@ -26,9 +26,9 @@ struct Region {
     for (const Triangle& t : triangulate_domain(points, boundary.sides).triangulation.triangles)
       triangles.push_back(t.v);
   }
-  [[nodiscard]] std::string fault() const {
+  [[nodiscard]] std::string flaw() const {
     const auto found =
-        find_fault({points, triangles, boundary.sides, boundary.segments, boundary.points.size()});
+        find_flaw({points, triangles, boundary.sides, boundary.segments, boundary.points.size()});
     return found ? found->what : "";
   }
 };
@@ -38,19 +38,19 @@ Region square() {
       testing::boundary_of({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {3, 2}}}, {{1, 3}}));
 }
 
-TEST(WholeMesh, FindsNothingWhereAllIsThere) { EXPECT_EQ(square().fault(), ""); }
+TEST(WholeMesh, FindsNothingWhereAllIsThere) { EXPECT_EQ(square().flaw(), ""); }
 
 TEST(WholeMesh, TellsWhatLiesAcrossEdges) {
   const Region region = square();  // with a slit, which has triangles on both sides
   const auto& sides = region.boundary.sides;
   std::vector<std::uint32_t> across;
-  EXPECT_FALSE(find_fault({region.points, region.triangles, sides, region.boundary.segments,
-                           region.boundary.points.size()},
-                          {}, &across));
+  EXPECT_FALSE(find_flaw({region.points, region.triangles, sides, region.boundary.segments,
+                          region.boundary.points.size()},
+                         {}, &across));
   EXPECT_EQ(across, across_edges(region.points.size(), region.triangles, sides));
 }
 
-/// More triangles than one thread takes for itself, and faults at several places: the first counts.
+/// More triangles than one thread takes for itself, and flaws at several places: the first counts.
 TEST(WholeMesh, FindsTheSameByAnyNumberOfThreads) {
   constexpr std::uint32_t n = 200;
   std::vector<Point> points;
@@ -72,8 +72,8 @@ TEST(WholeMesh, FindsTheSameByAnyNumberOfThreads) {
   }
   std::sort(sides.begin(), sides.end());
   const std::vector<SegmentId> segments(sides.size(), SegmentId(1));
-  const auto fault = [&](std::vector<IndexTriple> triangles, std::size_t given, const Team& team) {
-    const auto found = find_fault({points, triangles, sides, segments, given}, team);
+  const auto flaw = [&](std::vector<IndexTriple> triangles, std::size_t given, const Team& team) {
+    const auto found = find_flaw({points, triangles, sides, segments, given}, team);
     return found ? found->what : "";
   };
   std::vector<IndexTriple> turned = grid, doubled = grid, open = grid;
@@ -85,11 +85,11 @@ TEST(WholeMesh, FindsTheSameByAnyNumberOfThreads) {
   for (const auto& [triangles, lost] :
        {std::pair(grid, 0U), std::pair(turned, 0U), std::pair(doubled, 0U), std::pair(open, 0U),
         std::pair(grid, 1U)}) {
-    const std::string alone = fault(triangles, given - 1 + lost, Team());
+    const std::string alone = flaw(triangles, given - 1 + lost, Team());
     EXPECT_EQ(alone.empty(), triangles == grid && lost == 0);
     for (const unsigned workers : {2U, 3U, 7U}) {
       with_team(workers, [&, &triangles = triangles, &lost = lost](const Team& team) {
-        EXPECT_EQ(fault(triangles, given - 1 + lost, team), alone);
+        EXPECT_EQ(flaw(triangles, given - 1 + lost, team), alone);
       });
     }
   }
@@ -100,21 +100,21 @@ TEST(WholeMesh, FindsEveryKindOfDamage) {
   for (std::size_t t = 0; t < region.triangles.size(); ++t) {
     Region less = region;
     less.triangles.erase(less.triangles.begin() + static_cast<std::ptrdiff_t>(t));
-    EXPECT_NE(less.fault(), "") << t;
+    EXPECT_NE(less.flaw(), "") << t;
     Region twice = region;
     twice.triangles.push_back(twice.triangles[t]);
-    EXPECT_NE(twice.fault(), "") << t;
+    EXPECT_NE(twice.flaw(), "") << t;
     Region turned = region;
     std::swap(turned.triangles[t][0], turned.triangles[t][1]);
-    EXPECT_NE(turned.fault(), "") << t;
+    EXPECT_NE(turned.flaw(), "") << t;
   }
   Region lost = region;
   lost.boundary.points.push_back({2, 3});  // as if it were a point of the boundary
   lost.points.push_back({2, 3});
-  EXPECT_NE(lost.fault().find("(2, 3)"), std::string::npos);
+  EXPECT_NE(lost.flaw().find("(2, 3)"), std::string::npos);
   Region empty = region;
   empty.triangles.clear();
-  EXPECT_NE(empty.fault(), "");
+  EXPECT_NE(empty.flaw(), "");
   // One that is a side from one of its two sides only.
   Region half = region;
   const auto slit =
@@ -125,7 +125,7 @@ TEST(WholeMesh, FindsEveryKindOfDamage) {
   half.boundary.segments.erase(half.boundary.segments.begin() +
                                (slit - half.boundary.sides.begin()));
   half.boundary.sides.erase(slit);
-  EXPECT_NE(half.fault(), "");
+  EXPECT_NE(half.flaw(), "");
 }
 
 TEST(WholeMesh, SidesOfTheHullMayBeSplit) {
@@ -134,15 +134,15 @@ TEST(WholeMesh, SidesOfTheHullMayBeSplit) {
   const IndexTriple t = region.triangles[0];
   region.points.push_back(midpoint(region.points[t[0]], region.points[t[1]]));
   region.triangles = {{t[0], 3, t[2]}, {3, t[1], t[2]}};
-  EXPECT_NE(region.fault(), "");
+  EXPECT_NE(region.flaw(), "");
   std::fill(region.boundary.segments.begin(), region.boundary.segments.end(), kHullSide);
-  EXPECT_EQ(region.fault(), "");
+  EXPECT_EQ(region.flaw(), "");
   const Point middle = region.points[3];
   region.points[3] = middle + 0x1p-20 * (region.points[t[2]] - middle);
-  EXPECT_NE(region.fault(), "");  // no longer on the side
+  EXPECT_NE(region.flaw(), "");  // no longer on the side
   region.points[3] = middle;
   region.triangles.pop_back();
-  EXPECT_NE(region.fault(), "");
+  EXPECT_NE(region.flaw(), "");
 }
 
 }  // namespace

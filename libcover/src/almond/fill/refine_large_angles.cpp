@@ -418,18 +418,18 @@ class Refiner {
 
 /// Adds the chords that end at one of `vertices`, or all if none does.
 void blame_beside(std::vector<std::uint32_t> vertices, std::span<const Chord> chords,
-                  std::vector<std::uint32_t>& faults) {
+                  std::vector<std::uint32_t>& blamed) {
   if (vertices.empty()) return;
   std::sort(vertices.begin(), vertices.end());
-  const std::size_t known = faults.size();
+  const std::size_t known = blamed.size();
   const auto is_open = [&](std::uint32_t v) {
     return std::binary_search(vertices.begin(), vertices.end(), v);
   };
   for (std::uint32_t c = 0; c < chords.size(); ++c) {
-    if (is_open(chords[c].a) || is_open(chords[c].b)) faults.push_back(c);
+    if (is_open(chords[c].a) || is_open(chords[c].b)) blamed.push_back(c);
   }
-  if (faults.size() > known) return;
-  for (std::uint32_t c = 0; c < chords.size(); ++c) faults.push_back(c);
+  if (blamed.size() > known) return;
+  for (std::uint32_t c = 0; c < chords.size(); ++c) blamed.push_back(c);
 }
 
 }  // namespace
@@ -442,7 +442,7 @@ std::vector<std::uint32_t> match_chords(const Triangulation& cdt, std::span<cons
     next[c] = head[chords[c].a];
     head[chords[c].a] = c;
   }
-  std::vector<std::uint32_t> faults, open;  // ends of rim edges without a chord
+  std::vector<std::uint32_t> blamed, open;  // ends of rim edges without a chord
   std::vector<bool> found(chords.size(), false);
   edges.assign(cdt.triangles.size(), {kNone, kNone, kNone});
   for (std::uint32_t t = 0; t < cdt.triangles.size(); ++t) {
@@ -458,18 +458,18 @@ std::vector<std::uint32_t> match_chords(const Triangulation& cdt, std::span<cons
         edges[t][i] = c;
         continue;
       }
-      const std::size_t known = faults.size();
+      const std::size_t known = blamed.size();
       for (c = head[b]; c != kNone; c = next[c]) {
-        if (chords[c].b == a) faults.push_back(c);
+        if (chords[c].b == a) blamed.push_back(c);
       }
-      if (faults.size() == known) open.insert(open.end(), {a, b});
+      if (blamed.size() == known) open.insert(open.end(), {a, b});
     }
   }
   for (std::uint32_t c = 0; c < chords.size(); ++c) {
-    if (!found[c]) faults.push_back(c);
+    if (!found[c]) blamed.push_back(c);
   }
-  blame_beside(std::move(open), chords, faults);
-  return faults;
+  blame_beside(std::move(open), chords, blamed);
+  return blamed;
 }
 
 void reserve_for_refinement(std::size_t points, std::size_t triangles, Triangulation& cdt,

@@ -123,12 +123,12 @@ Remainder find_remainder(const ChordLayer& layer, std::span<const Almond> almond
 
   CdtResult result = triangulate_domain(points, pairs, most_conflicts);
   if (!result.conflicts.empty()) {
-    r.faults = blame(r, layer, almonds, points, result.conflicts);
+    r.blamed = blame(r, layer, almonds, points, result.conflicts);
     return r;
   }
   r.cdt = std::move(result.triangulation);
   for (const std::uint32_t c : match_chords(r.cdt, r.chords, r.edges)) {
-    r.faults.push_back(layer.chords[r.arc_chord[c]].almond);
+    r.blamed.push_back(layer.chords[r.arc_chord[c]].almond);
   }
   return r;
 }
@@ -150,7 +150,7 @@ Remainder whole_region(const Triangulation& cdt, const ChordLayer& layer,
     r.arc_chord.push_back(c);
   }
   for (const std::uint32_t c : match_chords(r.cdt, r.chords, r.edges)) {
-    r.faults.push_back(layer.chords[r.arc_chord[c]].almond);
+    r.blamed.push_back(layer.chords[r.arc_chord[c]].almond);
   }
   return r;
 }

@@ -19,13 +19,13 @@ struct Remainder {
   std::vector<Chord> chords;             ///< the boundary, in vertices of `cdt`
   std::vector<std::uint32_t> arc_chord;  ///< by chord: the chord of the chord layer
   ChordEdges edges;                      ///< chords by triangle and edge
-  std::vector<std::uint32_t> faults;     ///< almonds whose chords are no such boundary
+  std::vector<std::uint32_t> blamed;     ///< almonds whose chords are no such boundary
 };
 
 /// Triangulates the remainder. This is the topological ground truth: with exact predicates, either
 /// the chords bound a domain that lies on their left, or what rounding broke is named.
 ///
-/// ENSURES: without faults the chords are the whole boundary of `cdt`; together with interior
+/// ENSURES: where none is blamed the chords are the whole boundary of `cdt`; together with interior
 ///          chords that occur in both directions, remainder and almonds then bound each other
 ///          exactly. Of places where chords conflict, up to `most_conflicts` are named, of each
 ///          almond one.

@@ -175,7 +175,7 @@ struct ThinTrial {
   std::size_t bad = 0;                ///< obtuse triangles, once all is judged
   bool is_better = false;             ///< fewer obtuse triangles or vertices, before all is judged
   std::optional<Work> work;           ///< nothing: not what was asked for,
-  std::string fault;                  ///< for this reason, where it is better
+  std::string objection;              ///< for this reason, where it is better
 };
 
 /// The mesh of all regions, to be thinned out more than once.
@@ -233,12 +233,12 @@ class Thinning {
     Work thin = whole_;
     separate(result, fixed_, thin);
     if (!is_sound(thin)) {
-      trial.fault = "rounding would break a region";
+      trial.objection = "rounding would break a region";
       return;
     }
     measure_again(thin, options_);
-    trial.fault = what_is_worse(work_.meshes, thin.meshes, options_);
-    if (!trial.fault.empty()) return;
+    trial.objection = what_is_worse(work_.meshes, thin.meshes, options_);
+    if (!trial.objection.empty()) return;
     trial.bad = obtuse_triangles(thin.meshes);
     trial.work = std::move(thin);
   }
@@ -330,11 +330,11 @@ Status thin_cuts(Work& work, const Options& options, const Callbacks& callbacks)
     std::vector<TrialOrError> trials = trials_of(thinning, options, callbacks.stop);
     if (callbacks.stop.stop_requested()) return interrupted();
     std::optional<ThinTrial> best;
-    std::string fault;
+    std::string objection;
     for (TrialOrError& trial : trials) {
       if (!trial) return std::move(trial).error();
       if (!trial->work) {
-        if (fault.empty()) fault = std::move(trial->fault);
+        if (objection.empty()) objection = std::move(trial->objection);
       } else if (!best || trial->bad < best->bad) {
         best = *std::move(trial);
       }
@@ -345,9 +345,10 @@ Status thin_cuts(Work& work, const Options& options, const Callbacks& callbacks)
       tell(work.pslg, work.report.input_points, best->before, best->after, options, work.report);
       return ok();
     }
-    if (fault.empty()) return ok();
+    if (objection.empty()) return ok();
     forget_none_away(work.report);
-    work.report.notes.push_back({Note::Kind::warning, kVoid, std::string(kNoneAway) + fault, {}});
+    work.report.notes.push_back(
+        {Note::Kind::warning, kVoid, std::string(kNoneAway) + objection, {}});
     return ok();
   });
 }

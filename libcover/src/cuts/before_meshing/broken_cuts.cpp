@@ -88,18 +88,18 @@ Cuts cuts_of_passed(const Pslg& pslg, const RegionTable& table, const Triangulat
 
 }  // namespace
 
-std::vector<VertexId> cuts_that_broke(const RegionBoundary& boundary, const BoundaryFault& fault,
+std::vector<VertexId> cuts_that_broke(const RegionBoundary& boundary, const Flaw& flaw,
                                       VertexId first, bool all) {
   Cuts cuts;
   if (!all) {
-    for (const std::uint32_t v : fault.points) {
+    for (const std::uint32_t v : flaw.points) {
       if (boundary.vertices[v] >= first) cuts.push_back(boundary.vertices[v]);
     }
   }
   if (!cuts.empty()) return cuts;
   std::copy_if(boundary.vertices.begin(), boundary.vertices.end(), std::back_inserter(cuts),
                [&](VertexId v) { return v >= first; });
-  if (cuts.empty()) throw InternalFault(fault.what, fault.where);
+  if (cuts.empty()) throw InternalFault(flaw.what, flaw.where);
   return cuts;
 }
 

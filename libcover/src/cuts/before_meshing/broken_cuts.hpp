@@ -12,11 +12,11 @@
 
 namespace cover {
 
-/// The cuts, vertices from `first` on, that made `boundary` bound nothing: those of the fault, or
+/// The cuts, vertices from `first` on, that made `boundary` bound nothing: those of the flaw, or
 /// all of the region where it names none or `all` is set.
 ///
 /// Errors: InternalFault where the region has no cut
-std::vector<VertexId> cuts_that_broke(const RegionBoundary& boundary, const BoundaryFault& fault,
+std::vector<VertexId> cuts_that_broke(const RegionBoundary& boundary, const Flaw& flaw,
                                       VertexId first, bool all);
 
 /// The cuts, vertices from `first` on, that broke something in the void: made segments meet there,

@@ -27,9 +27,9 @@ SegmentWishes::SegmentWishes(const Pslg& pslg, const Options& options, VertexId 
       wishes_(pslg.segments.size()),
       facing_(pslg.segments.size()) {}
 
-std::optional<BoundaryFault> SegmentWishes::add(RegionBoundary& boundary) {
+std::optional<Flaw> SegmentWishes::add(RegionBoundary& boundary) {
   CdtResult result = triangulate_domain(boundary.points, boundary.sides);
-  if (auto fault = find_fault(result, boundary.points, boundary.sides)) return fault;
+  if (auto flaw = find_flaw(result, boundary.points, boundary.sides)) return flaw;
   const Triangulation& cdt = result.triangulation;
   const bool has_sizes = grade(boundary, cdt);
   const AngleLimit limit = angle_limit(cdt, boundary.sides, boundary.segments);

@@ -54,7 +54,7 @@ class SegmentWishes {
   ///
   /// REQUIRES: `boundary` outlives this
   /// Returns:  why it bounds nothing, if so
-  std::optional<BoundaryFault> add(RegionBoundary& boundary);
+  std::optional<Flaw> add(RegionBoundary& boundary);
 
   [[nodiscard]] const SegmentWish& of(std::size_t segment) const { return wishes_[segment]; }
 

@@ -179,10 +179,10 @@ class Splitter {
   void look_at(RegionBoundary& boundary, SegmentWishes& wishes) {
     looked_at_ += boundary.points.size();
     looks_.spend(boundary.points.size());
-    if (const auto fault = wishes.add(boundary)) {
-      if (!before_) throw InternalFault(fault->what, fault->where);
+    if (const auto flaw = wishes.add(boundary)) {
+      if (!before_) throw InternalFault(flaw->what, flaw->where);
       const auto cuts =
-          cuts_that_broke(boundary, *fault, first_of_last_cuts(), before_->trials >= kTrials);
+          cuts_that_broke(boundary, *flaw, first_of_last_cuts(), before_->trials >= kTrials);
       broken_.insert(broken_.end(), cuts.begin(), cuts.end());
       return;
     }

@@ -123,8 +123,8 @@ class Closer {
 
   std::optional<ClosedClefts> closed() && {
     for (const RegionBoundary& boundary : split_regions(closed_.work.pslg, closed_.work.table)) {
-      if (boundary.sides.empty() || find_fault(triangulate_domain(boundary.points, boundary.sides),
-                                               boundary.points, boundary.sides))
+      if (boundary.sides.empty() || find_flaw(triangulate_domain(boundary.points, boundary.sides),
+                                              boundary.points, boundary.sides))
         return std::nullopt;
     }
     return std::move(closed_);

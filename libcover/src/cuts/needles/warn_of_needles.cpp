@@ -193,7 +193,7 @@ class Uncut {
       const CdtResult cdt = triangulate_domain(boundary.points, boundary.sides);
       // Cuts on arcs stay, and what was straightened beside them may meet them by rounding: then
       // nothing is known.
-      const bool is_known = !find_fault(cdt, boundary.points, boundary.sides);
+      const bool is_known = !find_flaw(cdt, boundary.points, boundary.sides);
       least = is_known ? least_of(cdt.triangulation) : Least{0, {}, 0, {}};
     }
     return *least;

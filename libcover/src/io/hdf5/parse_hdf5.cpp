@@ -25,13 +25,13 @@ constexpr std::size_t kGroupDepth = 8;  // groups, one in the other
 constexpr int kTreeDepth = 16;
 
 /// What goes wrong inside; becomes an Error at the border of the file.
-struct Fault {
+struct Refusal {
   ErrorCode code = ErrorCode::syntax;
   std::string what;
 };
 
 [[noreturn]] void fail(std::string what, ErrorCode code = ErrorCode::syntax) {
-  throw Fault{code, std::move(what)};
+  throw Refusal{code, std::move(what)};
 }
 
 /// Numbers out of a piece of the file, one after the other.
@@ -501,8 +501,8 @@ class Hdf5Parser {
 Result<Hdf5Tree> parse_hdf5(std::string_view text, const std::string& source) {
   try {
     return Hdf5Parser(text).parse();
-  } catch (const Fault& fault) {
-    return Error{fault.code, fmt::format("{}: {}", source, fault.what), {}, {}};
+  } catch (const Refusal& refusal) {
+    return Error{refusal.code, fmt::format("{}: {}", source, refusal.what), {}, {}};
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include <fmt/core.h>
 
+#include "base/containers/order.hpp"
 #include "base/containers/union_find.hpp"
 #include "base/none.hpp"
 #include "geom/curves/smooth_chain.hpp"
@@ -184,12 +185,11 @@ class Smoother {
       for (const std::size_t c : changed)
         chains_[c].curve = smooth_chain(chains_[c].pixels, chains_[c].smoothing);
       changed.clear();
-      std::vector<std::size_t> faults = crossing();
+      std::vector<std::size_t> bad = crossing();
       const std::vector<std::size_t> turned = out_of_order();
-      faults.insert(faults.end(), turned.begin(), turned.end());
-      std::sort(faults.begin(), faults.end());
-      faults.erase(std::unique(faults.begin(), faults.end()), faults.end());
-      for (const std::size_t c : faults) {
+      bad.insert(bad.end(), turned.begin(), turned.end());
+      sort_unique(bad);
+      for (const std::size_t c : bad) {
         if (chains_[c].smoothing == Smoothing::none) continue;
         chains_[c].smoothing = static_cast<Smoothing>(static_cast<int>(chains_[c].smoothing) - 1);
         changed.push_back(c);
@@ -221,7 +221,7 @@ class Smoother {
       for (std::size_t i = first; i < last; ++i) {
         for (std::size_t j = i + 1; j < last; ++j) {
           const Piece &p = pieces[cells[i].second], &q = pieces[cells[j].second];
-          if (!is_fault(p, q)) continue;
+          if (!meet_wrongly(p, q)) continue;
           out.push_back(p.chain);
           out.push_back(q.chain);
         }
@@ -271,7 +271,7 @@ class Smoother {
   }
 
   /// Exact.
-  [[nodiscard]] bool is_fault(const Piece& s, const Piece& t) const {
+  [[nodiscard]] bool meet_wrongly(const Piece& s, const Piece& t) const {
     const std::array<Sign, 2> of_t{orientation(s.a, s.b, t.a), orientation(s.a, s.b, t.b)};
     for (const auto& [p, from_s] : {std::pair(s.a, s.b), std::pair(s.b, s.a)}) {
       for (const auto& [q, from_t] : {std::pair(t.a, t.b), std::pair(t.b, t.a)}) {

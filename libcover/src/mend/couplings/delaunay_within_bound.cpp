@@ -68,7 +68,7 @@ std::optional<RegionMesh> taken_if_better(const RegionBoundary& boundary, const 
     }
     if (part == kOfLayers) out.layer_triangles = out.triangles.size();
   }
-  if (find_fault({after.points, out.triangles, boundary.sides, boundary.segments, own})) return {};
+  if (find_flaw({after.points, out.triangles, boundary.sides, boundary.segments, own})) return {};
   fill_report(boundary, out);
   const std::size_t given_up = out.report.box.negative_given_up;
   if (!is_sound(out.report) ||

@@ -260,8 +260,8 @@ Candidate Candidates::searched(const Candidate& from, const Goal& aim, std::uint
 Candidate Candidates::from_almonds() {
   if (!almonds_) almonds_ = almond_region(boundary_, options_, budget_.stop);
   const RegionMesh& almond = *almonds_;
-  if (find_fault({all_points(boundary_, almond), almond.triangles, boundary_.sides,
-                  boundary_.segments, boundary_.points.size()}))
+  if (find_flaw({all_points(boundary_, almond), almond.triangles, boundary_.sides,
+                 boundary_.segments, boundary_.points.size()}))
     return {};  // stopped, or broken by rounding
   std::vector<Point> points = cdt_.points;
   for (const Point& p : almond.steiner) points.push_back(frame_.enter(p));

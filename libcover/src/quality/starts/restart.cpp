@@ -59,7 +59,7 @@ std::optional<MutableMesh> restart(const MutableMesh& mesh, std::size_t count,
   std::vector<IndexPair> pairs;
   for (const auto& [pair, side] : sides) pairs.push_back(pair);
   const CdtResult cdt = triangulate_domain(points, pairs);
-  if (find_fault(cdt, points, pairs)) return std::nullopt;  // rounding put a place outside
+  if (find_flaw(cdt, points, pairs)) return std::nullopt;  // rounding put a place outside
   const std::vector<EdgeRef> found = locate_sides(cdt.triangulation, pairs);
   std::vector<EdgeRef> side_at(mesh.sides.size());
   for (std::size_t k = 0; k < sides.size(); ++k) {

@@ -18,7 +18,7 @@ std::string triangle_text(const TriangleSoup& mesh, std::uint32_t t) {
 }  // namespace
 
 void verify_region_ids(const TriangleSoup& mesh, std::span<const RegionId> region,
-                       const LabelFault& fault) {
+                       const TellViolation& tell) {
   std::map<RegionId, std::int64_t> id_of;
   std::map<std::int64_t, RegionId> region_of;
   RegionId right = kVoid;  // of the triangle before, if its number was right
@@ -32,14 +32,14 @@ void verify_region_ids(const TriangleSoup& mesh, std::span<const RegionId> regio
       right = region[t], right_id = id;
       continue;
     }
-    fault(t, fmt::format("{} has RegionId {}, as others of region {}, but lies in region {} with "
-                         "RegionId {}",
-                         triangle_text(mesh, t), id, its_region.value(), region[t].value(), its));
+    tell(t, fmt::format("{} has RegionId {}, as others of region {}, but lies in region {} with "
+                        "RegionId {}",
+                        triangle_text(mesh, t), id, its_region.value(), region[t].value(), its));
   }
 }
 
 void verify_materials(const TriangleSoup& mesh, std::span<const RegionId> region,
-                      const RegionTable& table, bool numbered, const LabelFault& fault) {
+                      const RegionTable& table, bool numbered, const TellViolation& tell) {
   std::map<std::int64_t, std::uint32_t> first_of;  // triangle with a number
   for (std::uint32_t t = 0; t < region.size(); ++t) {
     if (region[t] == kVoid) continue;
@@ -47,17 +47,17 @@ void verify_materials(const TriangleSoup& mesh, std::span<const RegionId> region
     const int wanted = table.region(region[t]).material;
     if (numbered) {
       if (number == wanted) continue;
-      fault(t, fmt::format("{} in region {} has material {} instead of {}", triangle_text(mesh, t),
-                           region[t].value(), number, wanted));
+      tell(t, fmt::format("{} in region {} has material {} instead of {}", triangle_text(mesh, t),
+                          region[t].value(), number, wanted));
       continue;
     }
     const std::uint32_t first = first_of.emplace(number, t).first->second;
     if (table.region(region[first]).material == wanted) continue;
-    fault(t, fmt::format("{} in region {} of material {} is in group {}, as is {} in region {} of "
-                         "material {}",
-                         triangle_text(mesh, t), region[t].value(), wanted, number,
-                         triangle_text(mesh, first), region[first].value(),
-                         table.region(region[first]).material));
+    tell(t, fmt::format("{} in region {} of material {} is in group {}, as is {} in region {} of "
+                        "material {}",
+                        triangle_text(mesh, t), region[t].value(), wanted, number,
+                        triangle_text(mesh, first), region[first].value(),
+                        table.region(region[first]).material));
   }
 }
 

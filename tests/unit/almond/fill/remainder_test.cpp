@@ -17,7 +17,7 @@ TEST(FindRemainder, AreasAddUp) {
   for (const int n : {4, 5, 7, 12, 50}) {
     Stages s(testing::boundary_of({testing::regular_polygon(n)}));
     const Remainder r = find_remainder(s.layer, s.almonds, {});
-    ASSERT_TRUE(r.faults.empty()) << n;
+    ASSERT_TRUE(r.blamed.empty()) << n;
     double area = 0;
     const auto add = [&](Point a, Point b, Point c) { area += cross(b - a, c - a) / 2; };
     for (const Triangle& f : r.cdt.triangles) {
@@ -42,7 +42,7 @@ TEST(FindRemainder, NamesTheAlmondsOfChordsThatCross) {
   ASSERT_NE(chord, s.layer.chords.end());
   s.layer.points[chord->b] = {0.5, 3};
   const Remainder r = find_remainder(s.layer, s.almonds, {});
-  EXPECT_FALSE(r.faults.empty());
+  EXPECT_FALSE(r.blamed.empty());
 }
 
 /// Three arcs run through a side that has no almond any more. All are told at once; one in each
@@ -59,8 +59,8 @@ TEST(FindRemainder, NamesAllThatCrossASideLeftOut) {
     layer.chords.push_back({k, (k + 1) % n, of_chord[k], ChordKind::exterior, 0, 1});
   const Remainder r = find_remainder(layer, almonds, {});
   for (const std::uint32_t almond : {0U, 3U, 4U, 5U})
-    EXPECT_NE(std::find(r.faults.begin(), r.faults.end(), almond), r.faults.end()) << almond;
-  EXPECT_EQ(std::find(r.faults.begin(), r.faults.end(), 1U), r.faults.end());
+    EXPECT_NE(std::find(r.blamed.begin(), r.blamed.end(), almond), r.blamed.end()) << almond;
+  EXPECT_EQ(std::find(r.blamed.begin(), r.blamed.end(), 1U), r.blamed.end());
 }
 
 /// Arcs of three pairs of almonds cross, and one of these a fourth: one by one on request only.
@@ -76,13 +76,13 @@ TEST(FindRemainder, NamesAsManyCrossingsAsAskedFor) {
   }
   layer.points.insert(layer.points.end(), {{1, -1}, {1, 5}});
   layer.chords.push_back({12, 13, 6, ChordKind::exterior, 0, 1});
-  const auto faults = [&](std::size_t most) {
-    std::vector<std::uint32_t> all = find_remainder(layer, almonds, {}, most).faults;
+  const auto blamed = [&](std::size_t most) {
+    std::vector<std::uint32_t> all = find_remainder(layer, almonds, {}, most).blamed;
     std::sort(all.begin(), all.end());
     return all;
   };
-  EXPECT_EQ(faults(1).size(), 2U);
-  const std::vector<std::uint32_t> all = faults(10);
+  EXPECT_EQ(blamed(1).size(), 2U);
+  const std::vector<std::uint32_t> all = blamed(10);
   EXPECT_TRUE(std::adjacent_find(all.begin(), all.end()) == all.end());
   EXPECT_EQ(all.size(), 6U);  // of the three that cross each other, two
   for (const std::uint32_t almond : {2U, 3U, 4U, 5U})

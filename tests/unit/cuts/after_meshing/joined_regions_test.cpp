@@ -114,7 +114,7 @@ TEST(JoinedRegions, SeparatedAgainTheyAreTheMeshesThatTheyWere) {
     std::sort(now.begin(), now.end());
     std::sort(then.begin(), then.end());
     EXPECT_EQ(now, then);
-    EXPECT_FALSE(find_fault(work.boundaries[r], meshes[r]));
+    EXPECT_FALSE(find_flaw(work.boundaries[r], meshes[r]));
   }
 }
 

@@ -219,7 +219,7 @@ TEST(CutEncroached, KeepsClearOfWhatIsBeyondAThinVoid) {
       corners, {{0, 1}, {0, 6}, {1, 4}, {2, 4}, {2, 9}, {3, 5}, {3, 6}, {5, 7}, {7, 8}, {8, 9}}));
   EXPECT_FALSE(done.cuts.empty());
   for (const RegionBoundary& b : split_regions(done.pslg, done.table))
-    EXPECT_FALSE(find_fault(triangulate_domain(b.points, b.sides), b.points, b.sides));
+    EXPECT_FALSE(find_flaw(triangulate_domain(b.points, b.sides), b.points, b.sides));
 }
 
 /// As SplitInterfaces.ManyFeetStayOnTheirSegment; feet of the box method come on pieces of pieces.

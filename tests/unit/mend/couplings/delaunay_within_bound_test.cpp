@@ -40,8 +40,8 @@ void expect_sound(const RegionBoundary& boundary, const RegionMesh& mesh) {
   EXPECT_TRUE(mesh.report.bound_held);
   EXPECT_EQ(mesh.report.box.negative_inside, 0U);
   EXPECT_EQ(mesh.report.box.negative_given_up, 0U);
-  EXPECT_FALSE(find_fault({all_points(boundary, mesh), mesh.triangles, boundary.sides,
-                           boundary.segments, boundary.points.size()}));
+  EXPECT_FALSE(find_flaw({all_points(boundary, mesh), mesh.triangles, boundary.sides,
+                          boundary.segments, boundary.points.size()}));
 }
 
 TEST(DelaunayWithinBound, TakesAVertexOfALayerAway) {

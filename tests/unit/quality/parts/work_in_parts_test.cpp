@@ -218,9 +218,9 @@ TEST(WorkInParts, RandomRegionsInTinyParts) {
     EXPECT_EQ(mesh.triangles, other.triangles) << region.kind;
     EXPECT_EQ(mesh.steiner, other.steiner) << region.kind;
     const std::vector<Point> points = all_points(boundary, mesh);
-    const auto fault = find_fault(
+    const auto flaw = find_flaw(
         {points, mesh.triangles, boundary.sides, boundary.segments, boundary.points.size()});
-    EXPECT_FALSE(fault) << region.kind << ": " << (fault ? fault->what : "");
+    EXPECT_FALSE(flaw) << region.kind << ": " << (flaw ? flaw->what : "");
     fill_report(boundary, mesh);
     EXPECT_TRUE(mesh.report.bound_held) << region.kind;
     divided += mesh.triangles.size() >= 24 ? 1 : 0;
