@@ -18,6 +18,8 @@
 #include <cover/read_input.hpp>
 #include <cover/text.hpp>
 
+#include "remover.hpp"
+
 extern char** environ;
 
 namespace cover::reading {
@@ -25,8 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder below that for temporary files; removed with what is in it, and, as it is held open, by
-/// an interrupt too.
+/// A folder below that for temporary files.
 Result<ScratchFolder> scratch_folder() {
   std::error_code ignored;
   return ScratchFolder::beside((fs::temp_directory_path(ignored) / "cover-oasis").string());
@@ -112,6 +113,8 @@ Result<Input> read_oasis(const std::string& path, const ReadOptions& options,
   if (!folder)
     return error(ErrorCode::cannot_write,
                  "no folder for the layout as GDSII: " + folder.error().message);
+  // mpirun kills its ranks: none of them has the time to remove it itself.
+  const Remover remover(folder->path());
   const std::string from = fs::absolute(path), to = folder->path() / "layout.gds",
                     log = folder->path() / "log", script = folder->path() / "convert.rb";
   Ended ended = run({"strm2gds", from, to}, log, stop);

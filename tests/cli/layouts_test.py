@@ -142,6 +142,32 @@ class Layouts(Case):
                 begun.unlink()
                 self.assertEqual(self.files(), ['a.OAS', 'bin'])
 
+    def test_a_kill_while_klayout_reads_leaves_nothing(self):
+        """Nobody can wait for that: a process of its own removes the folder."""
+        self.write('a.OAS', '%SEMI-OASIS')
+        tools = self.dir / 'bin'
+        tools.mkdir()
+        (tools / 'strm2gds').write_text('#!/bin/sh\necho $$ >begun\n: >"$2"\nexec /bin/sleep 50\n')
+        (tools / 'strm2gds').chmod(0o755)
+        for send in os.kill, os.killpg:
+            run = subprocess.Popen([PROGRAM, 'info', 'a.OAS'], cwd=self.dir, env={'PATH': str(tools), 'TMPDIR': str(self.dir)},
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+            self.addCleanup(run.kill)
+            while not list(self.dir.glob('.cover-oasis.*/layout.gds')):
+                self.assertIsNone(run.poll())
+            send(run.pid, signal.SIGKILL)
+            run.wait(20)
+            reader = int((self.dir / 'begun').read_text())
+            if send == os.kill:
+                os.kill(reader, signal.SIGKILL)
+            self.assert_ends(reader)
+            (self.dir / 'begun').unlink()
+            for _ in range(200):
+                if self.files() == ['a.OAS', 'bin']:
+                    break
+                time.sleep(0.1)
+            self.assertEqual(self.files(), ['a.OAS', 'bin'])
+
     def assert_ends(self, process):
         """Within some seconds; where nothing takes its exit code, only that is left."""
         status = pathlib.Path(f'/proc/{process}/stat')

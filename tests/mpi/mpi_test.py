@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """mpi_test.py COVER COVER_MPI MPIRUN DATA: the files of cover-mpi are those of cover, byte for byte, for any number of
 ranks; what goes wrong ends the run, and leaves nothing under the final name."""
+import itertools
 import json
 import os
 import pathlib
@@ -239,6 +240,34 @@ class CoverMpi(unittest.TestCase):
         self.assertNotEqual(process.returncode, 0)
         self.assertRegex(told, r'rank \d')
         self.assertEqual(target.read_text(), 'old')
+
+    def test_an_interrupt_while_klayout_reads_leaves_nothing(self):
+        """Of one file, which rank 0 reads, and of two, which two ranks read. A script stands for KLayout. mpirun kills its
+        ranks, so it may end before the folders are gone."""
+        tools, temporary = self.folder / 'bin', self.folder / 'tmp'
+        tools.mkdir()
+        temporary.mkdir()
+        (tools / 'strm2gds').write_text('#!/bin/sh\n: >"$2"\nexec /bin/sleep 50\n')
+        (tools / 'strm2gds').chmod(0o755)
+        layouts = [self.folder / name for name in ('a.oas', 'b.oas')]
+        for layout in layouts:
+            layout.write_text('%SEMI-OASIS')
+        there = dict(ENVIRONMENT, PATH=f'{tools}:{ENVIRONMENT["PATH"]}', TMPDIR=str(temporary))
+        for files, one in itertools.product((layouts[:1], layouts), (signal.SIGINT, signal.SIGTERM)):
+            mesh = ('mesh', *files, '-o', self.folder / 'x.vtu')
+            with subprocess.Popen(on_ranks(3, *mesh), env=there, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+                while len(list(temporary.glob('.cover-oasis.*/layout.gds'))) < len(files):
+                    self.assertIsNone(process.poll(), 'it ended before KLayout began')
+                    time.sleep(0.01)
+                process.send_signal(one)
+                end_of(process)
+            self.assertNotEqual(process.returncode, 0)
+            for _ in range(200):
+                if not list(temporary.glob('.cover-*')):
+                    break
+                time.sleep(0.1)
+            self.assertEqual(list(temporary.glob('.cover-*')), [], one)
+            self.assertFalse((self.folder / 'x.vtu').exists())
 
     def test_ranks_killed_at_any_moment(self):
         """An error, no hang, and the old file or the new one; the next run leaves nothing else."""
