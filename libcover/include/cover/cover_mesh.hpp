@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include <cover/estimate.hpp>
 #include <cover/input.hpp>
 #include <cover/mesh.hpp>
 #include <cover/options.hpp>
@@ -29,12 +30,13 @@ struct BoxCosts {
   std::vector<NegativeCoupling> encroached;  ///< by region, then side
 };
 
-/// Cleans the input, finds its regions and their lower bounds; makes no mesh.
+/// Cleans the input, finds its regions and their lower bounds; makes no mesh. `held`: of a mesh
+/// that is to be made of it, which decides whether memory will do.
 ///
 /// Errors: those of cover_mesh(); Error::inputs holds the ids at fault.
 /// Cost:   O(n log n).
 Result<Prepared> prepare(const Input& input, const Options& options = {},
-                         const Callbacks& callbacks = {});
+                         const Callbacks& callbacks = {}, Held held = Held::all);
 
 /// What the box method costs on a prepared input, before any mesh is made.
 ///

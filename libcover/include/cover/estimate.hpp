@@ -11,6 +11,10 @@
 
 namespace cover {
 
+/// How much of a mesh is in memory at a time: all of it, or what is made of one region by
+/// stream_mesh().
+enum class Held { all, one_region };
+
 /// About what a run takes.
 struct Estimate {
   double triangles = 0;   ///< by the sizes wished, and at least what the segments take without any

@@ -71,11 +71,12 @@ Result<Work> begin_work(const Input& input, const Options& options, Held held,
   return work_of(input, options, held, callbacks, clock);
 }
 
-Result<Prepared> prepare(const Input& input, const Options& asked, const Callbacks& callbacks) {
+Result<Prepared> prepare(const Input& input, const Options& asked, const Callbacks& callbacks,
+                         Held held) {
   return memory_as_value("prepare", [&]() -> Result<Prepared> {
     StageClock clock;
     const Options options = with_layers_of(input, asked);
-    Result<PreparedRegions> regions = prepare_regions(input, options, callbacks, clock, Held::all);
+    Result<PreparedRegions> regions = prepare_regions(input, options, callbacks, clock, held);
     if (!regions) return std::move(regions).error();
     Prepared prepared = std::move(regions->prepared);
     Result<std::vector<RegionReport>> limits =

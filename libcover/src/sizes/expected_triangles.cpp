@@ -73,9 +73,9 @@ double shortest_side(const RegionBoundary& boundary) {
 }
 
 /// The integral over the triangles of a region's constrained Delaunay triangulation.
-class Estimate {
+class SampledRegion {
  public:
-  Estimate(const RegionBoundary& boundary, const Options& options)
+  SampledRegion(const RegionBoundary& boundary, const Options& options)
       : cdt_(triangulation_of(boundary)),
         sizes_(boundary, cdt_, options.growth, background_of(boundary, options)),
         will_be_cut_(options.split_interfaces),
@@ -168,14 +168,14 @@ double expected_triangles(const RegionBoundary& boundary, const Options& options
   if (options.growth)
     most = std::max(most, triangles_in(area_of(boundary), shortest_side(boundary)));
   if (!options.size_field && !boundary.size_function && !(most > kFew)) return most;
-  return Estimate(boundary, options).sum().triangles;
+  return SampledRegion(boundary, options).sum().triangles;
 }
 
 double about_triangles(const RegionBoundary& boundary, const Options& options) {
   // 1.5 to 1.7 in maps and devices.
   constexpr double kTrianglesPerSide = 1.6;
   const double by_sizes =
-      options.method == Method::quality ? Estimate(boundary, options).sum().triangles : 0;
+      options.method == Method::quality ? SampledRegion(boundary, options).sum().triangles : 0;
   return std::max(by_sizes, kTrianglesPerSide * static_cast<double>(boundary.sides.size()));
 }
 
@@ -195,7 +195,7 @@ Status check_expected_triangles(const RegionTable& table,
     worst = &boundary;
   }
   const auto where = [&] {
-    const Estimate::Sum sum = Estimate(*worst, options).sum();
+    const SampledRegion::Sum sum = SampledRegion(*worst, options).sum();
     return fmt::format("most of them in region {} '{}', where edges of {} are asked for at {}",
                        worst->id.value(), table.region(worst->id).name,
                        describe_roughly(sum.finest), describe(sum.at));

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include <cover/estimate.hpp>
 #include <cover/options.hpp>
 #include <cover/regions.hpp>
 #include <cover/result.hpp>
@@ -25,9 +26,6 @@ double expected_triangles(const RegionBoundary& boundary, const Options& options
 
 /// About how many triangles a region gets: by sizes wished, and at least what its sides take.
 double about_triangles(const RegionBoundary& boundary, const Options& options);
-
-/// How much of a mesh is in memory at a time.
-enum class Held { all, one_region };
 
 /// About as many bytes as a run takes for so many triangles and sides of regions.
 double memory_for(double triangles, std::size_t sides);

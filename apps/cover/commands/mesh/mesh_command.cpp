@@ -228,18 +228,12 @@ int print_plan(const MeshCommand& command, const Prepared& prepared, const Estim
 
 int dry_run(const MeshCommand& command, const Input& input, const Options& options,
             spdlog::logger& log) {
-  const Result<Prepared> prepared = prepare(input, options);
-  if (!prepared) {
-    Error error = prepared.error();
-    // What is refused for its memory has no estimate, but is large.
-    constexpr double kMany = std::numeric_limits<double>::infinity();
-    if (error.code == ErrorCode::out_of_memory &&
-        stays_on_disk(command.plan, command.files, input, options, kMany))
-      error.message +=
-          "; a dry run asks for the memory of a mesh that is held, and the run would keep this one "
-          "on the disk, region by region";
-    return fail(log, error);
-  }
+  // What memory may not do for is large.
+  constexpr double kMany = std::numeric_limits<double>::infinity();
+  const bool is_held = !stays_on_disk(command.plan, command.files, input, options, kMany);
+  const Result<Prepared> prepared =
+      prepare(input, options, {}, is_held ? Held::all : Held::one_region);
+  if (!prepared) return fail(log, prepared.error());
   if (!command.plan.onto.empty()) {
     const Result<MeshSource> source = MeshSource::open(command.plan.onto);
     if (!source) return fail(log, source.error());
