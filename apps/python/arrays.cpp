@@ -102,8 +102,13 @@ void name_segments(const py::dict& lines, Input& input) {
         throw py::index_error("lines: there is no segment " + std::to_string(s));
       std::string& known = segments[static_cast<std::size_t>(s)].name;
       if (!known.empty() && known != own)
-        throw py::value_error("lines: segment " + std::to_string(s) + " is in '" + known +
-                              "' and in '" + own + "'; a segment has one name");
+        throw py::value_error(std::string("lines: segment ")
+                                  .append(std::to_string(s))
+                                  .append(" is in '")
+                                  .append(known)
+                                  .append("' and in '")
+                                  .append(own)
+                                  .append("'; a segment has one name"));
       known = own;
     }
   }
