@@ -2,10 +2,14 @@
 #include <cover/stored_mesh.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include <fmt/core.h>
@@ -69,6 +73,56 @@ void add_line(const Json& json, StoredMesh& stored) {
     stored.interfaces[k].id = InterfaceId(k + 1);
   }
   stored.interfaces[place_of(line.id)] = std::move(line);
+}
+
+/// Members whose numbers are ids and counts, and what these may be; all others are as they come.
+struct WholeNumbers {
+  std::string_view member;
+  std::int64_t least;
+  std::int64_t most;
+};
+constexpr std::int64_t kLeastInt = std::numeric_limits<std::int32_t>::min();
+constexpr std::int64_t kMostInt = std::numeric_limits<std::int32_t>::max();
+constexpr std::int64_t kMostId = std::numeric_limits<std::uint32_t>::max();
+constexpr std::array kWholeNumbers{WholeNumbers{"id", 0, kMostId},
+                                   WholeNumbers{"left", 0, kMostId},
+                                   WholeNumbers{"right", 0, kMostId},
+                                   WholeNumbers{"triangles", 0, kMostId},
+                                   WholeNumbers{"vertices", 0, kMostId},
+                                   WholeNumbers{"input_vertices", 0, kMostId},
+                                   WholeNumbers{"edges", 0, kMostId},
+                                   WholeNumbers{"cut_vertices", 0, kMostId},
+                                   WholeNumbers{"group", kLeastInt, kMostInt},
+                                   WholeNumbers{"material", kLeastInt, kMostInt},
+                                   WholeNumbers{"markers", kLeastInt, kMostInt}};
+
+bool is_one_of(const Json& number, const WholeNumbers& whole) {
+  if (number.is_number_unsigned())
+    return number.get<std::uint64_t>() <= static_cast<std::uint64_t>(whole.most);
+  return number.is_number_integer() && number.get<std::int64_t>() >= whole.least;
+}
+
+/// What is wrong with the first number that is no id or count where one has to be: get() would make
+/// one of anything. Empty: nothing. `whole`: what numbers of `json` have to be, if there is that.
+std::string wrong_number(const Json& json, std::string_view member, const WholeNumbers* whole,
+                         int depth) {
+  if (json.is_number() && whole != nullptr && !is_one_of(json, *whole))
+    return fmt::format("\"{}\": {} is no whole number from {} to {}", member, json.dump(),
+                       whole->least, whole->most);
+  if (!json.is_structured() || depth == 0) return {};
+  for (const auto& item : json.items()) {
+    const WholeNumbers* inner = whole;
+    std::string_view name = member;
+    if (json.is_object()) {
+      name = item.key();
+      inner = std::find_if(kWholeNumbers.begin(), kWholeNumbers.end(),
+                           [&](const WholeNumbers& known) { return known.member == name; });
+      if (inner == kWholeNumbers.end()) inner = nullptr;
+    }
+    if (std::string what = wrong_number(item.value(), name, inner, depth - 1); !what.empty())
+      return what;
+  }
+  return {};
 }
 
 /// A column of attributes as it stands in the mesh: numbers of words for text.
@@ -148,6 +202,9 @@ Result<bool> read_manifest(const std::string& path, std::span<const std::int64_t
   const Json json = Json::parse(*text, nullptr, false);
   if (!is_manifest(json)) return false;
   try {
+    constexpr int kDeepest = 5;  // "lines", a line, "edges", an edge, an end
+    if (const std::string what = wrong_number(json, "", nullptr, kDeepest); !what.empty())
+      return wrong(what);
     if (const std::string what = misfit(json, stored); !what.empty()) return wrong(what);
     stored.regions.clear();
     stored.interfaces.clear();

@@ -139,6 +139,41 @@ TEST(ReadOutput, RefusesNumbersOfLinesWithoutEnd) {
       << read.error().message;
 }
 
+/// What stands for a member of the manifest of device(), behind its n-th mention.
+std::string refusal_with(const std::string& member, int mention, const std::string& value) {
+  const testing::TemporaryFolder folder;
+  const Output written = device();
+  const std::string path = folder.path() / "device.vtu", names = folder.path() / "device.json";
+  EXPECT_TRUE(write_vtu(written, path));
+  EXPECT_TRUE(write_manifest(written, names));
+  std::string text = read_file(names).value();
+  std::size_t at = 0;
+  for (int k = 0; k < mention; ++k) at = text.find('"' + member + '"', at + 1);
+  const std::size_t first = text.find_first_of("-0123456789", at + member.size());
+  text.replace(first, text.find_first_not_of("-0123456789", first) - first, value);
+  std::ofstream(names) << text;
+  const Result<Output> read = read_output(path);
+  return read ? "" : read.error().message;
+}
+
+TEST(ReadOutput, RefusesNumbersThatAreNoCountsAndIds) {
+  for (const char* const member : {"vertices", "triangles", "input_vertices", "cut_vertices",
+                                   "left", "right", "edges", "material"}) {
+    EXPECT_EQ(refusal_with(member, 1, "\"7\"").find("is no whole number"), std::string::npos);
+    EXPECT_FALSE(refusal_with(member, 1, "\"7\"").empty()) << member;
+    for (const char* const value : {"1e300", "-1e300", "0.5", "99999999999", "-99999999999"}) {
+      const std::string told = refusal_with(member, 1, value);
+      EXPECT_NE(told.find('"' + std::string(member) + "\": "), std::string::npos) << told;
+      EXPECT_NE(told.find("is no whole number from "), std::string::npos) << told;
+    }
+  }
+  const std::string told = refusal_with("vertices", 1, "-1");
+  EXPECT_NE(told.find("\"vertices\": -1 is no whole number from 0 to 4294967295"),
+            std::string::npos)
+      << told;
+  EXPECT_NE(refusal_with("triangles", 1, "1").find("1 triangles instead of"), std::string::npos);
+}
+
 TEST(ReadOutput, WithoutEitherItSaysWhatIsMissing) {
   const testing::TemporaryFolder folder;
   const Output written = device();
