@@ -191,6 +191,32 @@ void take_arcs(const py::list& arcs, StoredMesh& stored) {
   }
 }
 
+/// The edges with nodes off their middles, and these; nothing as Output::nodes.
+py::object pickled_nodes(const Output& output) {
+  if (!output.nodes) return py::none();
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  std::vector<Point> middles;
+  for (const MovedNode& node : *output.nodes) {
+    edges.push_back({node.a, node.b});
+    middles.push_back(node.middle);
+  }
+  return py::make_tuple(array_of(edges), array_of(middles));
+}
+
+void take_nodes(const py::object& nodes, StoredMesh& stored) {
+  stored.second_order = !nodes.is_none();
+  if (!stored.second_order) return;
+  const auto rows = nodes.cast<py::tuple>();
+  const auto edges = rows_in<2>(rows[0]);
+  const auto middles = array_in<double>(rows[1], 2);
+  if (static_cast<std::size_t>(middles.shape(0)) != edges.size())
+    throw py::value_error("this is no state of a cover.Mesh");
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const auto row = static_cast<py::ssize_t>(k);
+    stored.nodes.push_back({edges[k][0], edges[k][1], {middles.at(row, 0), middles.at(row, 1)}});
+  }
+}
+
 constexpr std::array kCoefficients{&Isometry::xx, &Isometry::xy, &Isometry::yx,
                                    &Isometry::yy, &Isometry::x0, &Isometry::y0};
 
@@ -349,11 +375,11 @@ py::tuple pickled(const Output& output, const TriangleSoup& soup, const std::str
                         output.report.scale, report, pickled_attributes(output.table),
                         pickled_fields(output), pickled_arcs(output), pickled_periodic(output),
                         pickled_provenance(output.report.provenance), cut_vertices(output),
-                        pickled_figures(output), remarks);
+                        pickled_figures(output), remarks, pickled_nodes(output));
 }
 
 Unpickled unpickled(const py::tuple& state) {
-  constexpr std::size_t kMembers = 21;
+  constexpr std::size_t kMembers = 22;
   if (state.size() != kMembers || state[0].cast<int>() != kPickleVersion)
     throw py::value_error("this is no state of a cover.Mesh, or of another version");
   StoredMesh stored;
@@ -373,6 +399,7 @@ Unpickled unpickled(const py::tuple& state) {
   stored.scale = state[11].cast<double>();
   take_arcs(state[15].cast<py::list>(), stored);
   take_periodic(state[16].cast<py::list>(), stored);
+  take_nodes(state[21], stored);
   stored.provenance = provenance_in(state[17].cast<py::tuple>());
   stored.cut_vertices = state[18].cast<std::size_t>();
   Result<Output> output = rebuild(stored);

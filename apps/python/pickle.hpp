@@ -12,7 +12,7 @@
 namespace cover::python {
 
 /// What the state of a mesh begins with; other versions are refused.
-inline constexpr int kPickleVersion = 4;
+inline constexpr int kPickleVersion = 5;
 
 /// A mesh, its report as JSON, and remarks on how it was saved.
 struct Unpickled {

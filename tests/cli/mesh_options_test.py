@@ -103,20 +103,38 @@ class Arcs(Case):
         self.assertEqual(len(told), 1)
         self.assertRegex(told.pop(), r'^Second order: every Jacobian is positive everywhere; \d+ edges lie on arcs$')
 
-    def test_edges_that_convert_makes_straight_are_told(self):
+    def test_convert_keeps_the_nodes_of_curved_edges(self):
+        """Also of those that give way to arcs, and where no manifest tells the arcs."""
         coax = SAMPLES / 'coax_arcs.json'
-        for name in 'a.msh', 'a.vtm', 'a.vtkhdf', 'a.ele':
-            self.run_cover('mesh', coax, '--order', '2', '-o', name, '-q')
-            on_arcs = int(re.search(r'(\d+) edges lie on arcs', self.run_cover('check', coax, name)[0]).group(1))
-            told = self.run_cover('convert', name, '--order', '2', '-o', 'b.inp')[1]
-            straight = re.search(r'; (\d+) edges are curved, and straight with --order 2: only the manifest, a\.json, tells', told)
-            self.assertGreaterEqual(int(straight.group(1)), on_arcs)  # others give way to arcs
-        # Where the manifest tells the arcs, nothing is lost; nor of straight edges.
-        self.run_cover('mesh', coax, '--order', '2', '-o', 'a.msh', '-o', 'a.json', '-q')
-        self.assertNotIn('straight', self.run_cover('convert', 'a.msh', '--order', '2', '-o', 'b.inp')[1])
-        self.assertIn(f'{on_arcs} edges lie on arcs', self.run_cover('check', coax, 'b.inp')[0])
+        for name in 'a.msh', 'a.vtu', 'a.vtm', 'a.vtkhdf', 'a.xdmf', 'a.ele', 'a.inp', 'a.mesh':
+            self.run_cover('mesh', coax, '--order', '2', '-o', name, '-o', 'direct.vtk', '-q')
+            told = self.run_cover('convert', name, '--order', '2', '-o', 'b.vtk')[1]
+            self.assertNotIn('nodes', told, name)
+            places = [text.partition('POINTS')[2].partition('CELLS')[0] for text in
+                      ((self.dir / other).read_text() for other in ('direct.vtk', 'b.vtk'))]
+            self.assertEqual(places[0], places[1], name)
+            self.assertRegex(self.run_cover('check', coax, 'b.vtk')[0], r'\d+ edges lie on arcs')
+            told = self.run_cover('convert', name, '-o', 'c.vtu')[1]
+            self.assertIn(f'{name}: triangles have six nodes, of which the corners are written: --order 2 keeps all', told)
+        # Straight ones, too, and those of arcs that a manifest tells.
         self.run_cover('mesh', SAMPLES / 'diode.poly', '--order', '2', '-o', 'd.msh', '-q')
-        self.assertNotIn('straight', self.run_cover('convert', 'd.msh', '--order', '2', '-o', 'b.inp')[1])
+        self.assertNotIn('nodes', self.run_cover('convert', 'd.msh', '--order', '2', '-o', 'b.inp')[1])
+        self.run_cover('mesh', coax, '--order', '2', '-o', 'a.msh', '-o', 'a.json', '-q')
+        self.assertNotIn('nodes', self.run_cover('convert', 'a.msh', '--order', '2', '-o', 'b.vtk')[1])
+        self.assertEqual((self.dir / 'b.vtk').read_text().partition('POINTS')[2].partition('CELLS')[0], places[0])
+
+    def test_convert_refuses_nodes_that_fold_triangles_over(self):
+        coax = SAMPLES / 'coax_arcs.json'
+        self.run_cover('mesh', coax, '--order', '2', '-o', 'a.msh', '-q')
+        lines = (self.dir / 'a.msh').read_text().splitlines()
+        middles = {node for line in lines if line.split()[1:2] == ['9'] for node in line.split()[8:]}
+        moved = next(k for k, line in enumerate(lines) if line.split()[0] in middles and len(line.split()) == 4
+                     and abs(math.hypot(*map(float, line.split()[1:3])) - 2) < 1e-12)
+        lines[moved] = lines[moved].split()[0] + ' 0.1 0.1 0'
+        self.write('a.msh', '\n'.join(lines) + '\n')
+        _, err = self.run_cover('convert', 'a.msh', '--order', '2', '-o', 'b.vtk', code=5)
+        self.assertRegex(err, r"cannot write 'b\.vtk' of second order: with the nodes that were read, .* folded over")
+        self.assertNotIn('b.vtk', self.files())
 
     def test_check_refuses_what_is_off_its_arc(self):
         coax = SAMPLES / 'coax_arcs.json'

@@ -294,6 +294,18 @@ class Pickling(unittest.TestCase):
                       *(pickle.loads(pickle.dumps(mesh, k)) for k in range(pickle.HIGHEST_PROTOCOL + 1))]:
             np.testing.assert_array_equal(again.triangles, mesh.triangles)
 
+    def test_nodes_of_second_order_stay(self):
+        with tempfile.TemporaryDirectory() as folder:
+            mesh = cover.mesh_file(Values.DATA / 'coax_arcs.json')
+            for extension in 'msh', 'vtk':
+                mesh.save(f'{folder}/direct.{extension}', order=2)
+            read = cover.read(f'{folder}/direct.msh')
+            for k, m in enumerate((read, pickle.loads(pickle.dumps(read)))):
+                m.save(f'{folder}/{k}.vtk', order=2)
+            places = [pathlib.Path(f'{folder}/{name}.vtk').read_text().partition('POINTS')[2].partition('CELLS')[0]
+                      for name in ('direct', 0, 1)]
+            self.assertEqual(places, places[:1] * 3)
+
     def test_arcs_and_pairs_of_sides_stay(self):
         for name, options in ('motor_pole.json', {'split_interfaces': True, 'size': 2}), ('coax_arcs.json', {}):
             mesh = cover.mesh_file(Values.DATA / name, **options)

@@ -30,9 +30,9 @@ int run_convert(Arguments arguments) {
   app.footer(
       R"(Names of regions, interfaces and contacts come from the manifest (.json) or the .vtm beside
 the mesh, else from the mesh's own file; what is missing then is said. Attributes of regions
-(--keep-field) and values at points (doping) are kept where both formats bear them. The circles
-of arcs stand in the manifest alone, which sides are periodic in it and in .msh: else curved edges
-become straight and pairs are left out, which is said.
+(--keep-field) and values at points (doping) are kept where both formats bear them. Which sides
+are periodic stands in the manifest and in .msh: else pairs are left out, which is said. With
+--order 2 curved edges stay curved; the circles of arcs stand in the manifest alone.
 
 Examples:
   cover convert device.vtm -o device.vtu
@@ -71,6 +71,9 @@ Examples:
   for (const std::string& warning : files.warnings(mesh->table.attributes, mesh->fields, periodic))
     log->warn("{}", warning);
   for (const std::string& warning : files.warnings_of(*mesh)) log->warn("{}", warning);
+  if (mesh->nodes && files.write_options().order == 1)
+    log->warn("{}: triangles have six nodes, of which the corners are written: --order 2 keeps all",
+              source->name());
   if (const std::string joined = files.regions_joined(mesh->table); !joined.empty())
     log->warn("{}", joined);
   const Status done = files.write(*mesh, interrupt.token(), ShowProgress::off, *log);

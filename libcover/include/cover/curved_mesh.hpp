@@ -21,17 +21,11 @@ struct CurvedEdge {
   bool is_straight = false;  ///< on the arc, a triangle beside it would not be proven valid
 };
 
-/// An edge whose node is not the double next to its middle.
-struct MovedNode {
-  std::uint32_t a = 0;
-  std::uint32_t b = 0;
-  Point middle;
-};
-
 /// What Output::mesh is with triangles of second order.
 struct CurvedMesh {
   std::vector<CurvedEdge> edges;  ///< in the order of the segments of Output::pslg
-  /// Of edges inside regions that give way to arcs beside them, in the order of the mesh's edges.
+  /// Of edges inside regions that give way to arcs beside them, in the order of the mesh's edges;
+  /// where there are no arcs, Output::nodes.
   std::vector<MovedNode> moved;
   /// Of other edges of slivers a few units in the last place wide: with the double next to the
   /// middle a triangle beside them would not be valid.
@@ -48,7 +42,8 @@ struct CurvedMesh {
   }
 };
 
-/// Puts the middle nodes of edges on arcs where segments are chords of arcs.
+/// Puts the middle nodes of edges on arcs where segments are chords of arcs, and where none is, to
+/// the places of Output::nodes.
 ///
 /// ENSURES: the Jacobian of every triangle but those in `not_valid` is positive everywhere, by the
 ///          exact signs of the coefficients of Bernstein's form; where it would not be proven,

@@ -69,9 +69,9 @@ Result<MeshFile> read_mesh(const std::string& path);
 /// far as files keep it; see rebuild(). A .vtkhdf holds all of it. Else names, interfaces and
 /// markers come from the manifest (.json) beside it, else from the .vtm beside it, else from the
 /// file itself. So do attributes of regions and values at points, words of attributes not from a
-/// lone .vtu, .msh or .xdmf. What is missing then is said in the report's notes, and that midpoints
-/// of second-order triangles, of curved edges whose arcs no manifest tells also how many, or pairs
-/// of periodic sides that neither a manifest nor a .msh tells, were left out.
+/// lone .vtu, .msh or .xdmf. What is missing then is said in the report's notes, and that nodes in
+/// the middle of edges, where some triangles have none, or pairs of periodic sides that neither a
+/// manifest nor a .msh tells, were left out.
 ///
 /// Errors: those of read_mesh(); syntax also where the manifest is of another mesh.
 Result<Output> read_output(const std::string& path);

@@ -49,6 +49,7 @@ struct StoredMesh {
   std::string unit;
   double scale = 1;
   bool second_order = false;  ///< the file's triangles have six nodes, of which these are corners
+  std::vector<MovedNode> nodes;  ///< of these: as Output::nodes
 };
 
 /// Puts a stored mesh together again. The PSLG stays empty and so do the reports of the regions:

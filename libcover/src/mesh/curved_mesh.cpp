@@ -43,6 +43,7 @@ class Curving {
 
   CurvedMesh run() {
     find_edges();
+    if (halfedges_.empty()) take_nodes_of_file();
     make_valid();
     take_straight_nodes();
     add_areas();
@@ -92,6 +93,16 @@ class Curving {
       curved_.edges.push_back({static_cast<std::uint32_t>(a.idx()),
                                static_cast<std::uint32_t>(b.idx()), s.circle - 1,
                                ArcOver(*circle, at(a), at(b)).middle(), false});
+    }
+  }
+
+  /// As they are: what a file says is not mended.
+  void take_nodes_of_file() {
+    if (!output_.nodes) return;
+    for (const MovedNode& node : *output_.nodes) {
+      const Halfedge h = tri_.find_halfedge(TriMesh::VertexHandle(static_cast<int>(node.a)),
+                                            TriMesh::VertexHandle(static_cast<int>(node.b)));
+      if (h.is_valid()) moved_[index_of(h)] = node.middle;
     }
   }
 
@@ -328,13 +339,25 @@ class Curving {
   void add_areas() {
     for (const Region& region : output_.table.regions) curved_.areas.push_back(region.area);
     for (std::size_t k = 0; k < halfedges_.size(); ++k) {
-      if (curved_.edges[k].is_straight) continue;
-      for (const Halfedge h : {halfedges_[k], tri_.opposite_halfedge_handle(halfedges_[k])}) {
-        const Face f = tri_.face_handle(h);
-        if (!f.is_valid()) continue;
-        curved_.areas[place_of(output_.mesh.region(f))] += area_beside_chord(
-            at(tri_.from_vertex_handle(h)), at(tri_.to_vertex_handle(h)), curved_.edges[k].middle);
-      }
+      if (!curved_.edges[k].is_straight) add_areas_beside(halfedges_[k], curved_.edges[k].middle);
+    }
+    for (const auto& [edge, middle] : moved_) {
+      const Halfedge h = first_half(edge);
+      if (region_beside(h) != region_beside(tri_.opposite_halfedge_handle(h)))
+        add_areas_beside(h, middle);
+    }
+  }
+
+  [[nodiscard]] RegionId region_beside(Halfedge h) const {
+    const Face f = tri_.face_handle(h);
+    return f.is_valid() ? output_.mesh.region(f) : kVoid;
+  }
+
+  void add_areas_beside(Halfedge edge, Point middle) {
+    for (const Halfedge h : {edge, tri_.opposite_halfedge_handle(edge)}) {
+      if (region_beside(h) == kVoid) continue;
+      curved_.areas[place_of(region_beside(h))] +=
+          area_beside_chord(at(tri_.from_vertex_handle(h)), at(tri_.to_vertex_handle(h)), middle);
     }
   }
 

@@ -42,6 +42,7 @@ class Rebuilder {
     set_vertices();
     if (std::optional<Error> error = add_periodic()) return *std::move(error);
     if (std::optional<Error> error = add_arcs()) return *std::move(error);
+    if (std::optional<Error> error = add_nodes()) return *std::move(error);
     if (std::optional<Error> error = add_arrays()) return *std::move(error);
     return std::move(out_);
   }
@@ -179,15 +180,16 @@ class Rebuilder {
     return std::nullopt;
   }
 
+  [[nodiscard]] bool is_edge(std::uint32_t a, std::uint32_t b) const {
+    const std::size_t n = soup_.points.size();
+    return a < n && b < n &&
+           out_.mesh.tri()
+               .find_halfedge(TriMesh::VertexHandle(static_cast<int>(a)),
+                              TriMesh::VertexHandle(static_cast<int>(b)))
+               .is_valid();
+  }
+
   std::optional<Error> add_periodic() {
-    const TriMesh& tri = out_.mesh.tri();
-    const auto is_edge = [&](std::uint32_t a, std::uint32_t b) {
-      const std::size_t n = soup_.points.size();
-      return a < n && b < n &&
-             tri.find_halfedge(TriMesh::VertexHandle(static_cast<int>(a)),
-                               TriMesh::VertexHandle(static_cast<int>(b)))
-                 .is_valid();
-    };
     for (const PeriodicNodes& nodes : stored_.periodic) {
       for (const auto& [a, b, a2, b2] : nodes.edges) {
         if (!is_edge(a, b) || !is_edge(a2, b2))
@@ -228,6 +230,18 @@ class Rebuilder {
             static_cast<std::uint32_t>(out_.pslg.circles.size());
       }
     }
+    return std::nullopt;
+  }
+
+  std::optional<Error> add_nodes() {
+    if (!stored_.second_order) return std::nullopt;
+    for (const auto& [a, b, middle] : stored_.nodes) {
+      if (!is_edge(a, b))
+        return wrong(fmt::format("the node between vertices {} and {} is on no edge", a, b));
+      if (!std::isfinite(middle.x) || !std::isfinite(middle.y))
+        return wrong(fmt::format("the node between vertices {} and {} is nowhere", a, b));
+    }
+    out_.nodes = stored_.nodes;
     return std::nullopt;
   }
 

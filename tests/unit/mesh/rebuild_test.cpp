@@ -1,4 +1,5 @@
 // Stored arrays become an Output again, or an error says what is wrong with them.
+#include <cover/curved_mesh.hpp>
 #include <cover/mesh.hpp>
 #include <cover/stored_mesh.hpp>
 
@@ -6,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 
 namespace cover {
@@ -43,6 +45,30 @@ TEST(Rebuild, MakesUpRegionsAndInterfacesWhereNoneAreStored) {
   EXPECT_EQ(output->pslg.segments.size(), 7u);
   EXPECT_EQ(output->report.steiner_vertices, 0u);
   EXPECT_DOUBLE_EQ(output->report.quality.largest_nu.supplement().in_degrees(), 90);
+}
+
+TEST(Rebuild, KeepsNodesOfCurvedEdges) {
+  StoredMesh stored = two_squares();
+  EXPECT_FALSE(rebuild(stored)->nodes);
+  stored.second_order = true;
+  EXPECT_TRUE(rebuild(stored)->nodes);
+  // Between the squares and on the outline, both to the right.
+  stored.nodes = {{1, 4, {1.1, 0.5}}, {2, 5, {2.2, 0.5}}};
+  const Result<Output> output = rebuild(stored);
+  ASSERT_TRUE(output) << output.error().message;
+  const CurvedMesh curved = curved_mesh(*output);
+  EXPECT_TRUE(curved.not_valid.empty());
+  ASSERT_EQ(curved.moved.size(), 2U);
+  EXPECT_EQ(curved.moved[0].middle, (Point{1.1, 0.5}));
+  ASSERT_EQ(curved.areas.size(), 2U);
+  EXPECT_NEAR(curved.areas[0], 1 + 0.2 / 3, 1e-15);
+  EXPECT_NEAR(curved.areas[1], 1 + 0.2 / 3, 1e-15);
+  stored.nodes = {{1, 4, {0.2, 0.9}}};
+  EXPECT_FALSE(curved_mesh(rebuild(stored).value()).not_valid.empty());
+  stored.nodes = {{0, 5, {1, 0.5}}};
+  EXPECT_EQ(rebuild(stored).error().message, "the node between vertices 0 and 5 is on no edge");
+  stored.nodes = {{0, 1, {0.5, std::numeric_limits<double>::infinity()}}};
+  EXPECT_EQ(rebuild(stored).error().message, "the node between vertices 0 and 1 is nowhere");
 }
 
 TEST(Rebuild, KeepsNamesAndMarkersOfEdges) {

@@ -71,16 +71,6 @@ class Completion {
  public:
   explicit Completion(const std::string& path) : path_(path) {}
 
-  /// What is left out with the nodes in the middle of edges.
-  [[nodiscard]] std::string about_nodes(const StoredMesh& stored) const {
-    std::string text = "triangles have six nodes, of which the corners are taken";
-    if (curved_ > 0 && stored.arcs.empty())
-      text += fmt::format(
-          "; {} curved, and straight with --order 2: only the manifest, {}, tells the arcs",
-          counted(curved_, "edge") + (curved_ == 1 ? " is" : " are"), beside(".json"));
-    return text;
-  }
-
   /// Notes on what stays unknown and on what is left out.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
@@ -91,10 +81,24 @@ class Completion {
           {fmt::format("pairs of points on periodic sides are left out: only the manifest, {}, "
                        "or a .msh names these sides",
                        beside(".json"))});
+    if (stored && stored->second_order) take_nodes(*stored);
     return stored;
   }
 
  private:
+  void take_bent_edges(const TriangleSoup& soup, const std::vector<std::array<Point, 3>>& middles) {
+    has_all_nodes_ = middles.size() == soup.triangles.size();
+    for (const auto& [edge, middle] : bent_edges(soup, middles))
+      nodes_.push_back({edge.first, edge.second, middle});
+  }
+
+  /// Arcs of a manifest tell more than the nodes on them.
+  void take_nodes(StoredMesh& stored) {
+    if (stored.arcs.empty()) stored.nodes = std::move(nodes_);
+    if (!has_all_nodes_)
+      tell({"not every triangle has six nodes: of those that have, the corners are taken"});
+  }
+
   Result<StoredMesh> read_all() {
     if (extension_of(path_) == ".vtm") return read_blocks();
     if (extension_of(path_) == ".vtkhdf") {
@@ -118,7 +122,7 @@ class Completion {
   /// A file that holds all that cover knows.
   Result<StoredMesh> read_named(VtkHdfMesh file) {
     has_periodic_points_ = file.mesh.has_periodic_points;
-    curved_ = bent_edges(file.mesh.soup, file.mesh.middles).size();
+    take_bent_edges(file.mesh.soup, file.mesh.middles);
     StoredMesh stored = std::move(file.names);
     stored.soup = std::move(file.mesh.soup);
     stored.second_order = file.mesh.second_order;
@@ -142,7 +146,7 @@ class Completion {
     stored.soup = file->soup;
     stored.second_order = file->second_order;
     stored.cut_vertices = file->cut_vertices;
-    curved_ = bent_edges(file->soup, file->middles).size();
+    take_bent_edges(file->soup, file->middles);
     has_periodic_points_ = file->has_periodic_points;
     Result<bool> named = read_manifest(beside(".json"), file->group, stored);
     if (!named) return std::move(named).error();
@@ -167,7 +171,7 @@ class Completion {
     Result<VtmMesh> blocks = read_vtm(path_);
     if (!blocks) return std::move(blocks).error();
     has_periodic_points_ = blocks->has_periodic_points;
-    curved_ = bent_edges(blocks->mesh.soup, blocks->middles).size();
+    take_bent_edges(blocks->mesh.soup, blocks->middles);
     const Result<bool> named = read_manifest(beside(".json"), {}, blocks->mesh);
     if (!named) return named.error();
     std::vector<std::string> left_out;
@@ -211,7 +215,8 @@ class Completion {
   std::string path_;
   std::vector<std::string> notes_;
   bool has_periodic_points_ = false;
-  std::size_t curved_ = 0;  ///< edges with nodes off their middles
+  std::vector<MovedNode> nodes_;
+  bool has_all_nodes_ = false;  ///< every triangle has six
 };
 
 }  // namespace
@@ -228,9 +233,6 @@ Result<Output> read_output(const std::string& path) {
       output->report.notes.push_back({Note::Kind::warning, kVoid, std::move(message), {}});
     };
     for (const std::string& note : completion.notes()) warn(note);
-    if (stored->second_order) {
-      warn(fmt::format("{}: {}", path, completion.about_nodes(*stored)));
-    }
     return output;
   });
 }

@@ -172,6 +172,15 @@ Status check_nodes(const Format& format, const Output& output, const std::string
   const TriMesh& mesh = output.mesh.tri();
   for (const auto v : mesh.fv_range(TriMesh::FaceHandle(static_cast<int>(folded[0]))))
     error.where.push_back({mesh.point(v)[0], mesh.point(v)[1]});
+  if (output.nodes && !output.nodes->empty()) {
+    error.message = fmt::format(
+        "cannot write '{}' of second order: with the nodes that were read, {} folded over: {}{}, "
+        "{}, {}",
+        path, folded.size() == 1 ? "a triangle is" : fmt::format("{} triangles are", folded.size()),
+        folded.size() == 1 ? "" : "the first is ", describe(error.where[0]),
+        describe(error.where[1]), describe(error.where[2]));
+    return error;
+  }
   error.message = fmt::format(
       "cannot write '{}' of second order: {} so thin that no doubles serve as nodes of {} edges, "
       "{}that of {}, {}, {}",
