@@ -238,7 +238,7 @@ void take_periodic(const py::list& periodic, StoredMesh& stored) {
     const auto row = item.cast<py::tuple>();
     PeriodicNodes nodes;
     const int map = row[2].cast<int>();
-    if (map < 0 || map > static_cast<int>(PeriodicRule::Map::mirror))
+    if (map < 0 || map > static_cast<int>(PeriodicRule::Map::glide))
       throw py::value_error("this is no state of a cover.Mesh");
     nodes.rule = {row[0].cast<std::string>(),
                   row[1].cast<std::string>(),

@@ -85,7 +85,8 @@ struct LayerRule {
 
 /// Two chains of segments that are images of each other under an isometry.
 struct PeriodicRule {
-  enum class Map { translation, rotation, mirror };
+  /// `glide`: a mirror with a shift along its axis: in meshes of others, and never asked for.
+  enum class Map { translation, rotation, mirror, glide };
   std::string from;  ///< name of one chain
   std::string to;    ///< name of its image
   Map map = Map::translation;

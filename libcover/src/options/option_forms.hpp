@@ -303,6 +303,7 @@ constexpr OptionEntry periodic(OptionEntry row) {
     for (const PeriodicRule& rule : options.periodic) {
       std::string text = quoted(rule.from) + "=" + quoted(rule.to);
       if (rule.map == PeriodicRule::Map::mirror) text += "@mirror";
+      if (rule.map == PeriodicRule::Map::glide) text += "@glide";
       if (rule.map == PeriodicRule::Map::rotation)
         text +=
             fmt::format("@{},{}:{:.12g}", rule.centre.x, rule.centre.y, rule.angle.in_degrees());

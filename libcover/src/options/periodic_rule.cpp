@@ -16,6 +16,7 @@ Status check_rule(const PeriodicRule& rule) {
   };
   if (rule.from.empty() || rule.to.empty()) return refuse("each of the two lines needs a name");
   if (rule.from == rule.to) return refuse("a line cannot be taken to itself");
+  if (rule.map == PeriodicRule::Map::glide) return refuse("a glide reflection cannot be asked for");
   if (rule.map != PeriodicRule::Map::rotation) return ok();
   constexpr double kTurn = 360, kLeast = 1e-9;
   if (!std::isfinite(rule.centre.x) || !std::isfinite(rule.centre.y) ||

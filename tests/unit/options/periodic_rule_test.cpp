@@ -47,6 +47,7 @@ TEST(PeriodicRule, NothingIsItsOwnImage) {
   EXPECT_TRUE(check_rule({"a", "b", PeriodicRule::Map::translation, {}, {}}));
   EXPECT_FALSE(check_rule({"a", "a", PeriodicRule::Map::translation, {}, {}}));
   EXPECT_FALSE(check_rule({"a", "", PeriodicRule::Map::mirror, {}, {}}));
+  EXPECT_FALSE(check_rule({"a", "b", PeriodicRule::Map::glide, {}, {}}));
   for (const double degrees : {0.0, 360.0, -720.0, std::numeric_limits<double>::infinity()})
     EXPECT_FALSE(check_rule({"a", "b", PeriodicRule::Map::rotation, {}, Angle::degrees(degrees)}));
   EXPECT_TRUE(check_rule({"a", "b", PeriodicRule::Map::rotation, {}, Angle::degrees(180)}));

@@ -134,6 +134,8 @@ class Matcher {
         match_.map = reflection_between(p, q);
         break;
       }
+      case PeriodicRule::Map::glide:
+        return periodic_error(rule_, "a glide reflection cannot be asked for", {});
     }
     refine_shift();
     return ok();

@@ -6,7 +6,7 @@
 namespace cover {
 namespace {
 
-constexpr std::array kMaps{"translation", "rotation", "mirror"};
+constexpr std::array kMaps{"translation", "rotation", "mirror", "glide reflection"};
 
 }  // namespace
 

@@ -113,12 +113,16 @@ Isometry isometry_of(const std::array<double, 16>& m) {
 }
 
 /// REQUIRES: the map is a settled isometry
-PeriodicRule rule_of(std::string from, std::string to, const std::array<double, 16>& m) {
+PeriodicRule rule_of(std::string from, std::string to, const std::array<double, 16>& m,
+                     double tolerance) {
   PeriodicRule rule{std::move(from), std::move(to), PeriodicRule::Map::translation, {}, {}};
   const double xx = m[0], xy = m[1], yx = m[4], yy = m[5];
   if (xx == 1 && xy == 0 && yx == 0 && yy == 1) return rule;
   if (xx * yy - xy * yx < 0) {
-    rule.map = PeriodicRule::Map::mirror;
+    // Twice the shift along the axis.
+    const double along_x = m[3] + xx * m[3] + xy * m[7], along_y = m[7] + yx * m[3] + yy * m[7];
+    rule.map = std::hypot(along_x, along_y) > 2 * tolerance ? PeriodicRule::Map::glide
+                                                            : PeriodicRule::Map::mirror;
     return rule;
   }
   rule.map = PeriodicRule::Map::rotation;
@@ -173,7 +177,7 @@ class MshPairs {
       const auto& [from, to, map] = key;
       PeriodicNodes& nodes = pairs.nodes;
       sort_unique(nodes.vertices);
-      nodes.rule = rule_of(from, to, map);
+      nodes.rule = rule_of(from, to, map, tolerance_);
       if (!std::isfinite(nodes.rule.centre.x) || !std::isfinite(nodes.rule.centre.y)) return {};
       nodes.map = isometry_of(map);
       all.push_back(std::move(nodes));

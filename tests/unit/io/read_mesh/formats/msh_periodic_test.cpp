@@ -77,6 +77,10 @@ TEST(MshPeriodic, RotationsHaveACentreAndMirrorsHaveNone) {
   const auto mirrored = read(square(link("-1 0 0 3 0 1 0 0 0 0 1 0 0 0 0 1")));
   ASSERT_EQ(mirrored.size(), 1u);
   EXPECT_EQ(mirrored[0].rule.map, PeriodicRule::Map::mirror);
+  // With a shift along the axis: the left side, upside down, on the right one.
+  const auto glided = read(square(link("1 0 0 3 0 -1 0 3 0 0 1 0 0 0 0 1", "2\n20 40\n30 10\n")));
+  ASSERT_EQ(glided.size(), 1u);
+  EXPECT_EQ(glided[0].rule.map, PeriodicRule::Map::glide);
 }
 
 TEST(MshPeriodic, WhatIsNotUnderstoodIsLeftAsAWhole) {
