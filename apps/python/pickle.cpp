@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <string>
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <cover/curved_mesh.hpp>
 #include <cover/mesh.hpp>
+#include <cover/pslg.hpp>
 #include <cover/stored_mesh.hpp>
 
 #include "arrays.hpp"
@@ -191,6 +194,28 @@ void take_arcs(const py::list& arcs, StoredMesh& stored) {
   }
 }
 
+/// Vertices of the mesh with the names that the input gives them.
+py::list pickled_points(const Output& output) {
+  std::multimap<long, std::string> names;
+  for (const NamedPoint& point : output.pslg.named_points)
+    names.emplace(static_cast<long>(point.vertex.index()), point.name);
+  py::list out;
+  if (names.empty()) return out;
+  for (const auto v : output.mesh.tri().vertices()) {
+    const auto [first, last] = names.equal_range(output.mesh.input_id(v));
+    for (auto name = first; name != last; ++name)
+      out.append(py::make_tuple(v.idx(), name_of(name->second)));
+  }
+  return out;
+}
+
+void take_points(const py::list& points, StoredMesh& stored) {
+  for (const py::handle& item : points) {
+    const auto row = item.cast<py::tuple>();
+    stored.points.push_back({VertexId(row[0].cast<std::uint32_t>()), bytes_of(row[1])});
+  }
+}
+
 /// The edges with nodes off their middles, and these; nothing as Output::nodes.
 py::object pickled_nodes(const Output& output) {
   if (!output.nodes) return py::none();
@@ -368,18 +393,18 @@ std::size_t cut_vertices(const Output& output) {
 
 py::tuple pickled(const Output& output, const TriangleSoup& soup, const std::string& report,
                   const std::vector<std::string>& remarks) {
-  return py::make_tuple(kPickleVersion, array_of(soup.points), array_of(soup.triangles),
-                        array_of(soup.region), array_of(soup.material), pickled_ids(output),
-                        pickled_regions(output.table), pickled_interfaces(output.table),
-                        pickled_edges(output.mesh), output.pslg.points.size(), output.report.unit,
-                        output.report.scale, report, pickled_attributes(output.table),
-                        pickled_fields(output), pickled_arcs(output), pickled_periodic(output),
-                        pickled_provenance(output.report.provenance), cut_vertices(output),
-                        pickled_figures(output), remarks, pickled_nodes(output));
+  return py::make_tuple(
+      kPickleVersion, array_of(soup.points), array_of(soup.triangles), array_of(soup.region),
+      array_of(soup.material), pickled_ids(output), pickled_regions(output.table),
+      pickled_interfaces(output.table), pickled_edges(output.mesh), output.pslg.points.size(),
+      output.report.unit, output.report.scale, report, pickled_attributes(output.table),
+      pickled_fields(output), pickled_arcs(output), pickled_periodic(output),
+      pickled_provenance(output.report.provenance), cut_vertices(output), pickled_figures(output),
+      remarks, pickled_nodes(output), pickled_points(output));
 }
 
 Unpickled unpickled(const py::tuple& state) {
-  constexpr std::size_t kMembers = 22;
+  constexpr std::size_t kMembers = 23;
   if (state.size() != kMembers || state[0].cast<int>() != kPickleVersion)
     throw py::value_error("this is no state of a cover.Mesh, or of another version");
   StoredMesh stored;
@@ -400,6 +425,7 @@ Unpickled unpickled(const py::tuple& state) {
   take_arcs(state[15].cast<py::list>(), stored);
   take_periodic(state[16].cast<py::list>(), stored);
   take_nodes(state[21], stored);
+  take_points(state[22].cast<py::list>(), stored);
   stored.provenance = provenance_in(state[17].cast<py::tuple>());
   stored.cut_vertices = state[18].cast<std::size_t>();
   Result<Output> output = rebuild(stored);

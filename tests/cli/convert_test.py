@@ -426,5 +426,79 @@ class Values(Case):
             self.assertEqual(str(self.arrays(piece, 'PointData', array)), str([values[n] for n in numbers]))
 
 
+class NamedPoints(Case):
+    """Wells and probes: two of one name, one of another, which is a contact's, too."""
+
+    def setUp(self):
+        super().setUp()
+        corners = [[0, 0], [9, 0], [9, 9], [0, 9]]
+        def feature(kind, coordinates, **properties):
+            return {'type': 'Feature', 'properties': properties, 'geometry': {'type': kind, 'coordinates': coordinates}}
+        self.write('map.geojson', json.dumps({'type': 'FeatureCollection', 'features': [
+            feature('Polygon', [[*corners, corners[0]]], name='field'), feature('LineString', corners[:2], name='well "1"'),
+            *(feature('Point', place, name=name) for place, name in (([4, 3], 'Sonde ö'), ([2, 2], 'well "1"'), ([6, 5], 'well "1"')))]}))
+
+    def groups_of_msh(self, name):
+        """Places of the points of each physical point."""
+        lines = (self.dir / name).read_text().split('\n')
+        def section(of):
+            return lines[lines.index('$' + of) + 1:lines.index('$End' + of)]
+        names = dict(re.match(r'0 (\d+) "(.*)"', line).groups() for line in section('PhysicalNames') if line.startswith('0 '))
+        found = {name: [] for name in names.values()}
+        if lines[1].startswith('2'):
+            places = {words[0]: words[1:3] for words in map(str.split, section('Nodes')[1:])}
+            for words in map(str.split, section('Elements')[1:]):
+                if words[1] == '15':
+                    found[names[words[3]]].append([float(x) for x in places[words[5]]])
+            return found
+        nodes = section('Nodes')
+        count = int(nodes[0].split()[1])
+        blocks = section('Elements')
+        at = 1
+        while at < len(blocks):
+            dimension, tag, kind, size = blocks[at].split()
+            for line in blocks[at + 1:at + 1 + int(size)] if kind == '15' else []:
+                self.assertEqual(dimension, '0')
+                found[names[tag]].append([float(x) for x in nodes[1 + count + int(line.split()[1])].split()[:2]])
+            at += 1 + int(size)
+        return found
+
+    EXPECTED = {'Sonde ö': [[4, 3]], 'well _1_': [[2, 2], [6, 5]]}
+
+    def test_points_are_groups_of_every_format_that_has_such(self):
+        for version in '2.2', '4.1':
+            for more in [], ['--order', '2'], ['--keep-field', 'name']:
+                out, _ = self.run_cover('mesh', 'map.geojson', '-o', 'a.msh', '--msh', version, *more)
+                self.assertEqual(self.groups_of_msh('a.msh'), self.EXPECTED, (version, more))
+                self.assertRegex(out, r'group +point *\n +\d+ +Sonde ö *\n +\d+ +well "1"')
+        self.run_cover('mesh', 'map.geojson', '-o', 'a.inp', '-o', 'a.mesh', '-o', 'a.json', '-q')
+        manifest = json.loads((self.dir / 'a.json').read_text())
+        points = {group['original']: group for group in manifest['points']}
+        self.assertEqual({name: len(group['vertices']) for name, group in points.items()}, {'Sonde ö': 1, 'well "1"': 2})
+        deck = (self.dir / 'a.inp').read_text()
+        places = {line.split(',')[0]: line for line in deck.split('*ELEMENT')[0].splitlines()}
+        for group in points.values():
+            nodes = [str(vertex + 1) for vertex in group['vertices']]
+            self.assertIn(f'*NSET, NSET={group["set"]}\n' + ''.join(node + ',\n' for node in nodes), deck)
+            self.assertEqual(deck.count(f'NSET={group["set"]}\n'), 1)
+        self.assertEqual(places[str(points['Sonde ö']['vertices'][0] + 1)].split(', ')[1:3], ['4', '3'])
+        tags = [int(line.split()[2]) for line in (self.dir / 'a.mesh').read_text().split('\n') if line.startswith(('4 3 ', '2 2 ', '6 5 '))]
+        self.assertEqual(sorted(tags), sorted([points['Sonde ö']['tag']] + 2 * [points['well "1"']['tag']]))
+
+    def test_points_keep_their_names_through_files(self):
+        self.run_cover('mesh', 'map.geojson', '-o', 'a.msh', '-q')
+        for name in 'a.msh', 'b.vtkhdf', 'c.vtu':
+            with_names = ['-o', 'c.json'] if name == 'c.vtu' else []
+            for order in '1', '2':
+                self.run_cover('mesh', 'map.geojson', '-o', name, *with_names, '--order', order, '-q')
+                self.run_cover('convert', name, '-o', 'again.msh')
+                self.assertEqual(self.groups_of_msh('again.msh'), self.EXPECTED, name)
+        self.run_cover('mesh', 'map.geojson', '-o', 'a.msh', '-o', 'a.vtkhdf', '-q')
+        self.run_cover('mesh', 'map.geojson', '-o', 's.msh', '-o', 's.vtkhdf', '--stream', 'on', '-q')
+        self.assertEqual(*(self.groups_of_msh(name) for name in ('a.msh', 's.msh')))
+        for extension in 'msh', 'vtkhdf':
+            self.assertEqual(*((self.dir / f'{name}.{extension}').read_bytes() for name in 'as'))
+
+
 if __name__ == '__main__':
     main()

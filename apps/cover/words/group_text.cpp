@@ -70,7 +70,8 @@ std::string renamed_text(const MeshView& view, const std::vector<std::string>& f
     }
     if (rows > 0) text += table.text() + row_of_dots(rows, all ? rows : std::min(rows, kGroupRows));
   };
-  for (const auto* groups : {&view.region_groups, &view.line_groups}) {
+  const std::vector<Group> others = node_sets(view);
+  for (const auto* groups : {&view.region_groups, &others}) {
     if (writes(".msh")) list_labels(*groups);
     if (writes(".inp")) list(".inp", *groups, abaqus_names(*groups));
     if (writes(".obj")) list(".obj", *groups, safe(*groups));
@@ -114,13 +115,21 @@ std::string group_text(const StreamedOutput& streamed, const std::vector<std::st
     const bool marker = !name.empty() && name.find_first_not_of("-0123456789") == std::string::npos;
     lines.add({fmt::format("{}", group.tag), (marker ? "marker " : "") + name});
   }
+  TextTable points({{"group"}, {"point", Align::left}});
+  const std::size_t point_rows = shown(view.point_groups.size());
+  for (std::size_t g = 0; g < point_rows; ++g) {
+    const Group& group = view.point_groups[g];
+    points.add({fmt::format("{}", group.tag), group.original});
+  }
   return (view.has_ids
               ? fmt::format("Numbers in the files, by {}: the groups of regions and of lines\n",
                             options.ids)
               : "Numbers in the files: of regions the group in .msh, elsewhere the material; of "
                 "lines the group\n") +
          regions.text() + row_of_dots(view.region_groups.size(), region_rows) + lines.text() +
-         row_of_dots(view.line_groups.size(), line_rows) + renamed;
+         row_of_dots(view.line_groups.size(), line_rows) +
+         (point_rows > 0 ? points.text() : std::string()) +
+         row_of_dots(view.point_groups.size(), point_rows) + renamed;
 }
 
 }  // namespace cover::app

@@ -9,6 +9,7 @@
 
 #include <cover/angle.hpp>
 #include <cover/output.hpp>
+#include <cover/pslg.hpp>
 #include <cover/write_mesh.hpp>
 
 namespace cover {
@@ -26,13 +27,13 @@ struct Cells {
   }
 };
 
-/// A named set of regions or of lines: a physical group, an element set, ...
+/// A named set of regions, of lines or of points: a physical group, an element set, ...
 struct Group {
-  std::string name;      ///< safe form of the original, unique among regions or among lines
+  std::string name;      ///< safe form of the original, unique among sets of its sort
   std::string label;     ///< legible form, likewise unique: for formats that bear UTF-8
   std::string original;  ///< as the input has it
-  int tag = 0;           ///< positive, unique over regions and lines
-  int material = 0;      ///< of all its regions; 0 for lines
+  int tag = 0;           ///< positive, unique over regions, lines and points
+  int material = 0;      ///< of all its regions; 0 for lines and points
   /// Lines that the input does not name, called after the regions beside them or "hull". Where such
   /// a name is also one that the input gives, it is this one that changes.
   bool is_made_up = false;
@@ -55,7 +56,7 @@ struct PeriodicLines {
 /// whose tag is its number. Line groups follow, with the tags that are left: contacts by name;
 /// lines with a boundary marker by that, which is then their name; all others by the groups that
 /// they separate. On the left of a line is its lower region that is not the void. Tags are the same
-/// whichever lines are left out.
+/// whichever lines are left out. Points that the input names come last, a group for each name.
 struct MeshView {
   std::size_t corners = 0;       ///< points that are vertices of the mesh; the others are midpoints
   std::vector<Point> points;     ///< in the order of the mesh
@@ -74,6 +75,10 @@ struct MeshView {
   std::vector<std::uint8_t> inner;        ///< by line: a triangle on both sides
   std::vector<int> marker;                ///< by line: boundary marker of the input
   std::vector<Group> line_groups;         ///< also those whose lines are all left out
+
+  std::vector<std::uint32_t> named;        ///< points that the input names, by group
+  std::vector<std::uint32_t> named_group;  ///< by these
+  std::vector<Group> point_groups;
 
   std::vector<PeriodicLines> periodic;  ///< by rule, without lines that are left out
   /// By point: the smallest point that it is joined to by periodic sides; empty where there are
@@ -100,12 +105,12 @@ struct MeshView {
 };
 
 /// The view of `output` that `options` ask for. Only the mesh, the table of regions and interfaces,
-/// and periodic sides are looked at.
+/// names of points and periodic sides are looked at.
 ///
 /// Cost: O(n log n) in the number of lines, linear in all else.
 MeshView view_of(const Output& output, const WriteOptions& options);
 
-/// The same without lines and their groups, for formats that hold none.
+/// The same without lines and named points and their groups, for formats that hold none.
 ///
 /// Cost: linear
 MeshView view_of_triangles(const Output& output, const WriteOptions& options);
@@ -124,18 +129,23 @@ struct LineEdge {
   bool is_inner = false;  ///< a triangle on both sides
 };
 
-/// A view of groups and lines alone, for a mesh that is not in memory: no points and no triangles.
+/// A view of groups, lines and named points alone, for a mesh that is not in memory: no places and
+/// no triangles. `named`: with the numbers of the points in the mesh.
 ///
 /// REQUIRES: triangles of first order
 /// Cost:     O(n log n) in the number of lines
 MeshView view_of_lines(const RegionTable& table, std::vector<LineEdge> lines,
-                       const WriteOptions& options);
+                       const WriteOptions& options, std::span<const NamedPoint> named = {});
 
 /// The set of all nodes in an input deck of Abaqus.
 inline constexpr const char* kAllNodes = "NALL";
 
-/// What the groups of regions and lines are called as sets of Abaqus: in capitals, beginning with a
-/// letter, at most 80 characters, unique among the groups given, none of them kAllNodes.
+/// What the groups of regions, or those of node_sets(), are called as sets of Abaqus: in capitals,
+/// beginning with a letter, at most 80 characters, unique among the groups given, none of them
+/// kAllNodes.
 std::vector<std::string> abaqus_names(const std::vector<Group>& groups);
+
+/// The groups of lines, then those of named points: both are sets of nodes there.
+std::vector<Group> node_sets(const MeshView& view);
 
 }  // namespace cover

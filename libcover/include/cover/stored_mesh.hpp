@@ -11,6 +11,7 @@
 #include <cover/ids.hpp>
 #include <cover/output.hpp>
 #include <cover/plane_field.hpp>
+#include <cover/pslg.hpp>
 #include <cover/regions.hpp>
 #include <cover/result.hpp>
 #include <cover/triangle_soup.hpp>
@@ -41,6 +42,7 @@ struct StoredMesh {
   std::vector<Interface> interfaces;   ///< by InterfaceId - 1, without their segments; or empty
   std::vector<std::string> names{""};  ///< of contacts, where there are no interfaces
   std::vector<StoredEdge> edges;       ///< of all interfaces
+  std::vector<NamedPoint> points;      ///< that have names, with their numbers in `soup`
   std::vector<PeriodicNodes> periodic;
   std::vector<StoredArc> arcs;
   std::vector<Attribute> attributes;      ///< as RegionTable::attributes

@@ -75,8 +75,8 @@ Status write_vtu(const Output& output, const std::string& path, const WriteOptio
 
 /// Writes VTK's format in HDF5 (VTKHDF 1.0, an unstructured grid of one piece): the triangles and
 /// cell arrays of write_vtu(), and as field data the names of regions, materials and lines, the
-/// edges of all lines, the words of attributes X as X_names, and where the mesh comes from. So one
-/// file holds all that read_output() wants.
+/// edges of all lines, named points, the words of attributes X as X_names, and where the mesh comes
+/// from. So one file holds all that read_output() wants.
 ///
 /// Errors: bad_option, cannot_write, cancelled
 Status write_vtkhdf(const Output& output, const std::string& path,
@@ -134,13 +134,14 @@ Status write_report_json(const Output& output, const std::string& path);
 Status write_vtk(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes gmsh's format. Physical groups: regions by name, interfaces by the regions on both sides
-/// with the lower one on the left, contacts by name. Elementary tags in version 2.2: RegionId and
-/// InterfaceId, or a further number where an interface lies in several groups; in 4.1 those of the
-/// groups. Attributes and fields are data of elements and nodes, as the arrays of write_vtu(). With
-/// options.parts, X_1.msh, X_2.msh, ... of version 4.1 have a part each, as write_pvtu() divides
-/// the mesh, in entities of its own ($PartitionedEntities), with ghosts ($GhostElements); nodes and
-/// elements have the numbers that they have in the file of the whole mesh, and lines between parts
-/// are in both. All files are on the disk before the first of them appears.
+/// with the lower one on the left, contacts and named points by name. Elementary tags in version
+/// 2.2: RegionId and InterfaceId, or a further number where an interface lies in several groups; in
+/// 4.1 those of the groups. Attributes and fields are data of elements and nodes, as the arrays of
+/// write_vtu(). With options.parts, X_1.msh, X_2.msh, ... of version 4.1 have a part each, as
+/// write_pvtu() divides the mesh, in entities of its own ($PartitionedEntities), with ghosts
+/// ($GhostElements); nodes and elements have the numbers that they have in the file of the whole
+/// mesh, and lines between parts are in both; named points are in none. All files are on the disk
+/// before the first of them appears.
 ///
 /// Errors: bad_option, also for periodic sides in parts; cannot_write, cancelled
 Status write_msh(const Output& output, const std::string& path, const WriteOptions& options = {});
@@ -153,13 +154,14 @@ Status write_msh(const Output& output, const std::string& path, const WriteOptio
 Status write_xdmf(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes Medit's format; references are materials, or with options.ids these, and the numbers of
-/// lines.
+/// lines and of named points, for a point with several names the last one.
 ///
 /// Errors: bad_option, cannot_write, cancelled
 Status write_medit(const Output& output, const std::string& path, const WriteOptions& options = {});
 
-/// Writes an Abaqus input deck: an ELSET per region group, an NSET per line group. Coordinates have
-/// at most 20 characters, as Abaqus and CalculiX want it; those that need more are rounded.
+/// Writes an Abaqus input deck: an ELSET per region group, an NSET per group of lines or named
+/// points. Coordinates have at most 20 characters, as Abaqus and CalculiX want it; those that need
+/// more are rounded.
 ///
 /// Errors: bad_option; cannot_write, with places, also where that flattens triangles or turns them
 ///         over; cancelled

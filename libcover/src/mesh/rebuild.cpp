@@ -38,6 +38,7 @@ class Rebuilder {
     if (stored_.regions.empty()) make_up_regions();
     set_faces();
     out_.report.quality = measure_angles(soup_.points, soup_.triangles);
+    if (std::optional<Error> error = add_named_points()) return *std::move(error);
     if (std::optional<Error> error = add_segments()) return *std::move(error);
     set_vertices();
     if (std::optional<Error> error = add_periodic()) return *std::move(error);
@@ -148,6 +149,17 @@ class Rebuilder {
       return face.is_valid() ? out_.mesh.region(face) : kVoid;
     };
     return {region(h), region(tri.opposite_halfedge_handle(h)), kNoInterface};
+  }
+
+  std::optional<Error> add_named_points() {
+    for (const NamedPoint& point : stored_.points) {
+      if (point.vertex.index() >= soup_.points.size())
+        return wrong(fmt::format("the point '{}' is vertex {}, which is not there", point.name,
+                                 point.vertex.value()));
+      input_vertices_ = std::max(input_vertices_, point.vertex.index() + 1);
+    }
+    out_.pslg.named_points = stored_.points;
+    return std::nullopt;
   }
 
   std::optional<Error> add_segments() {

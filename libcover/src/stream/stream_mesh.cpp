@@ -6,6 +6,7 @@
 // tests/cli/large_mesh_test.py.
 #include <cover/files.hpp>
 #include <cover/periodic.hpp>
+#include <cover/pslg.hpp>
 #include <cover/stream_mesh.hpp>
 
 #include <filesystem>
@@ -205,6 +206,16 @@ Result<StreamedOutput> stream_or_hold(Input input, const Options& asked,
   return spool_work(*std::move(work), options, stream, callbacks, clock);
 }
 
+/// Those that are in the mesh, by their numbers there.
+std::vector<NamedPoint> named_points_of(const Pslg& pslg, const SpooledParts& parts) {
+  std::vector<NamedPoint> named;
+  for (const NamedPoint& point : pslg.named_points) {
+    const std::uint32_t v = parts.vertex_of[point.vertex.index()];
+    if (v != kNone) named.push_back({VertexId(v), point.name});
+  }
+  return named;
+}
+
 }  // namespace
 
 RegionId first_region(const SegmentSides& sides) {
@@ -238,7 +249,8 @@ std::vector<LineEdge> lines_of(const Pslg& pslg, const RegionTable& table,
 
 MeshView view_of_lines(const StreamedOutput& output, const WriteOptions& options) {
   const Output& rest = output.output;
-  return view_of_lines(rest.table, lines_of(rest.pslg, rest.table, *output.parts), options);
+  return view_of_lines(rest.table, lines_of(rest.pslg, rest.table, *output.parts), options,
+                       named_points_of(rest.pslg, *output.parts));
 }
 
 std::string needs_whole_mesh(const Input& input, const Options& options) {
@@ -292,10 +304,10 @@ Status write_streamed_mesh(const StreamedOutput& output, const std::string& path
       elsewhere = [&](const ColumnPlan& plan, const std::function<Status()>& here) {
         return parts.elsewhere(bytes_of(plan), here);
       };
-    return write_spooled(
-        {parts.spool, rest.table, rest.report, rest.pslg.segments.size(),
-         [&] { return lines_of(rest.pslg, rest.table, parts); }, rest.report.threads, elsewhere},
-        path, options);
+    return write_spooled({parts.spool, rest.table, rest.report, rest.pslg.segments.size(),
+                          [&] { return lines_of(rest.pslg, rest.table, parts); },
+                          named_points_of(rest.pslg, parts), rest.report.threads, elsewhere},
+                         path, options);
   });
 }
 

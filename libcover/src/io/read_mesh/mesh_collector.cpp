@@ -12,7 +12,11 @@ MeshFile MeshCollector::finish() {
     for (const auto& [a, b, c] : middles_) mesh.middles.push_back({at(a), at(b), at(c)});
   }
   if (!midpoints_.empty()) {
+    std::vector<Point> named;
+    for (const NamedPoint& point : mesh.named_points)
+      named.push_back(mesh.soup.points[point.vertex.index()]);
     const std::vector<std::uint32_t> renumbered = drop_midpoints(midpoints_, mesh.soup);
+    rename_points(named, renumbered);
     for (MeshLine& line : mesh.lines) {
       line.a = renumbered[line.a];
       line.b = renumbered[line.b];
@@ -27,6 +31,19 @@ MeshFile MeshCollector::finish() {
       drop_values(renumbered, mesh.soup.points.size(), array.values);
   }
   return std::move(mesh);
+}
+
+void MeshCollector::rename_points(const std::vector<Point>& places,
+                                  const std::vector<std::uint32_t>& renumbered) {
+  std::vector<NamedPoint> kept;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    NamedPoint& point = mesh.named_points[k];
+    point.vertex = VertexId(renumbered[point.vertex.index()]);
+    const std::size_t v = point.vertex.index();
+    if (v < mesh.soup.points.size() && mesh.soup.points[v] == places[k])
+      kept.push_back(std::move(point));
+  }
+  mesh.named_points = std::move(kept);
 }
 
 }  // namespace cover

@@ -34,6 +34,10 @@ class MeshCollector {
   MeshFile finish();
 
  private:
+  /// After midpoints were left out, and names on them with these. `places`: of the points before.
+  void rename_points(const std::vector<Point>& places,
+                     const std::vector<std::uint32_t>& renumbered);
+
   std::vector<std::uint32_t> midpoints_;
   std::vector<std::array<std::uint32_t, 3>> middles_;  ///< of triangles with six nodes
 };

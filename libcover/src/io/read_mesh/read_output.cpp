@@ -127,6 +127,7 @@ class Completion {
     stored.soup = std::move(file.mesh.soup);
     stored.second_order = file.mesh.second_order;
     stored.cut_vertices = file.mesh.cut_vertices;
+    stored.points = std::move(file.mesh.named_points);
     for (const MeshLine& line : file.mesh.lines) {
       if (line.group < 1 || line.group > static_cast<std::int64_t>(stored.interfaces.size()))
         return wrong_file(path_, fmt::format("there is no interface {}", line.group));
@@ -146,6 +147,7 @@ class Completion {
     stored.soup = file->soup;
     stored.second_order = file->second_order;
     stored.cut_vertices = file->cut_vertices;
+    stored.points = file->named_points;
     take_bent_edges(file->soup, file->middles);
     has_periodic_points_ = file->has_periodic_points;
     Result<bool> named = read_manifest(beside(".json"), file->group, stored);

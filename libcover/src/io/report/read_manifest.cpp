@@ -209,6 +209,7 @@ Result<bool> read_manifest(const std::string& path, std::span<const std::int64_t
     stored.regions.clear();
     stored.interfaces.clear();
     stored.edges.clear();
+    stored.points.clear();
     stored.periodic.clear();
     stored.arcs.clear();
     stored.attributes.clear();
@@ -224,6 +225,9 @@ Result<bool> read_manifest(const std::string& path, std::span<const std::int64_t
     if (const std::size_t last = largest_line(lines); last > 2 * lines.size() + kMostUnlisted)
       return wrong(fmt::format("a line has the number {}, and {} are listed", last, lines.size()));
     for (const Json& line : lines) add_line(line, stored);
+    for (const Json& named : json.value("points", Json::array()))
+      for (const Json& vertex : named.at("vertices"))
+        stored.points.push_back({VertexId(vertex.get<std::uint32_t>()), named.at("original")});
     for (const Json& arc : json.value("arcs", Json::array()))
       stored.arcs.push_back({{{arc.at("centre").at(0), arc.at("centre").at(1)}, arc.at("radius")},
                              arc.at("edges").get<decltype(StoredArc::edges)>()});

@@ -15,16 +15,17 @@
 // nodes, "quality": QUALITY, "gamma_opt", "bound_held" } ], "lines": [ { "id" (0: the hull),
 // "kind", "name", "left", "right", "group": tag, "length", "edges": [[a, b], ...] with the left
 // region on the left, "markers": [of the input, by edge] where there are any, "groups": [tags, by
-// edge] instead of "group" where they differ } ], "attributes": [ { "name": of the array in VTK's
+// edge] instead of "group" where they differ } ], "points": [ as in "line_groups", with "vertices":
+// [...] of these names ] where there are any, "attributes": [ { "name": of the array in VTK's
 // files, .msh and .xdmf, "original" if it is not that, "words": of text, what the numbers of the
 // array mean, from 1 on, "values": [by region; null: none] } ] where there are any, "fields": [ {
 // "name": of the array at points, "original" } ] where there are any, "periodic": [ { "from", "to":
-// names, "map": "translation", "rotation" or "mirror", "matrix": [[xx, xy, x0], [yx, yy, y0]],
-// which takes "from" to "to", "centre", "angle": of a rotation, "vertices": [[a, its image], ...],
-// "edges": [[a, b, their images], ...] } ] where there are any, "arcs": [ { "centre", "radius",
-// "edges": [[a, b], ...], the shorter arcs between these vertices, "straight": those of "order" 2
-// that are straight since triangles beside them would not be proven valid } ] where there are any,
-// "warnings": [sentences] }
+// names, "map": "translation", "rotation", "mirror" or "glide reflection", "matrix": [[xx, xy, x0],
+// [yx, yy, y0]], which takes "from" to "to", "centre", "angle": of a rotation, "vertices": [[a, its
+// image], ...], "edges": [[a, b, their images], ...] } ] where there are any, "arcs": [ { "centre",
+// "radius", "edges": [[a, b], ...], the shorter arcs between these vertices, "straight": those of
+// "order" 2 that are straight since triangles beside them would not be proven valid } ] where there
+// are any, "warnings": [sentences] }
 //
 //   QUALITY  { "largest_angle", "smallest_angle", "obtuse", "above_120", "above_150" }
 //
@@ -86,10 +87,13 @@ class ManifestWriter {
     if (!ids_.empty()) member("ids", ids_);
     member("counts", counts());
     if (measured()) member("quality", describe_quality(output_.report.quality));
-    list("region_groups", groups(view_.region_groups));
-    list("line_groups", groups(view_.line_groups));
+    list("region_groups", groups(view_.region_groups, abaqus_names(view_.region_groups)));
+    const std::vector<std::string> sets = abaqus_names(node_sets(view_));
+    list("line_groups", groups(view_.line_groups, sets));
     list("regions", regions());
     list("lines", lines());
+    if (!view_.named.empty())
+      list("points", points(std::span(sets).subspan(view_.line_groups.size())));
     if (!view_.attributes.empty()) list("attributes", attributes());
     if (!view_.fields.empty()) list("fields", fields());
     if (!output_.periodic.empty()) list("periodic", periodic());
@@ -138,11 +142,19 @@ class ManifestWriter {
             {"regions", output_.table.regions.size()}};
   }
 
-  static std::vector<Json> groups(const std::vector<Group>& groups) {
+  static std::vector<Json> groups(const std::vector<Group>& groups,
+                                  std::span<const std::string> sets) {
     std::vector<Json> list;
-    const std::vector<std::string> sets = abaqus_names(groups);
     for (std::size_t g = 0; g < groups.size(); ++g)
       list.push_back(describe_group(groups[g], sets[g]));
+    return list;
+  }
+
+  [[nodiscard]] std::vector<Json> points(std::span<const std::string> sets) const {
+    std::vector<Json> list = groups(view_.point_groups, sets);
+    for (Json& json : list) json["vertices"] = Json::array();
+    for (std::size_t k = 0; k < view_.named.size(); ++k)
+      list[view_.named_group[k]]["vertices"].push_back(view_.named[k]);
     return list;
   }
 

@@ -11,6 +11,8 @@
 #include <cover/curved_mesh.hpp>
 #include <cover/mesh.hpp>
 
+#include "base/containers/order.hpp"
+#include "base/none.hpp"
 #include "base/run_all.hpp"
 #include "base/words/safe_names.hpp"
 #include "geom/vector.hpp"
@@ -202,6 +204,40 @@ void add_lines(const RegionTable& table, std::vector<LineEdge> lines, const Writ
   }
 }
 
+/// `points` with their numbers in the mesh, and their groups.
+void add_named(std::span<const NamedPoint> points, MeshView& view) {
+  Grouping<std::string> grouping;
+  std::vector<std::array<std::uint32_t, 2>> members;  // group, point
+  for (const NamedPoint& point : points)
+    members.push_back({grouping.find(point.name, point.name, 0), point.vertex.value()});
+  sort_unique(members);
+  for (const auto& [group, point] : members) {
+    view.named.push_back(point);
+    view.named_group.push_back(group);
+  }
+  std::set<int> taken;
+  for (const auto* groups : {&view.region_groups, &view.line_groups})
+    for (const Group& group : *groups) taken.insert(group.tag);
+  view.point_groups = grouping.finish(static_cast<int>(taken.size()) + 1, taken);
+}
+
+/// Those that are in the mesh, by their numbers there.
+std::vector<NamedPoint> named_points_of(const Output& output) {
+  const Pslg& pslg = output.pslg;
+  if (pslg.named_points.empty()) return {};
+  std::vector<std::uint32_t> number(pslg.points.size(), kNone);
+  for (const auto v : output.mesh.tri().vertices()) {
+    const long point = output.mesh.input_id(v);
+    if (point >= 0) number[static_cast<std::size_t>(point)] = static_cast<std::uint32_t>(v.idx());
+  }
+  std::vector<NamedPoint> named;
+  for (const NamedPoint& point : pslg.named_points) {
+    const std::uint32_t v = number[point.vertex.index()];
+    if (v != kNone) named.push_back({VertexId(v), point.name});
+  }
+  return named;
+}
+
 class Viewer {
  public:
   Viewer(const Output& output, const WriteOptions& options, const Team& team)
@@ -219,6 +255,7 @@ class Viewer {
     add_triangles();
     // Nodes on periodic sides are found by their lines.
     if (with_lines || !periodic_.empty()) add_lines(table_, all_lines(), options_, view_);
+    if (with_lines) add_named(named_points_of(output_), view_);
     if (!periodic_.empty()) add_periodic();
     add_arrays();
     return std::move(view_);
@@ -406,11 +443,18 @@ std::array<Angle, 3> angles_of(const MeshView& view, std::size_t t) {
 }
 
 MeshView view_of_lines(const RegionTable& table, std::vector<LineEdge> lines,
-                       const WriteOptions& options) {
+                       const WriteOptions& options, std::span<const NamedPoint> named) {
   MeshView view;
   group_regions(table, options.ids, view);
   add_lines(table, std::move(lines), options, view);
+  add_named(named, view);
   return view;
+}
+
+std::vector<Group> node_sets(const MeshView& view) {
+  std::vector<Group> sets = view.line_groups;
+  sets.insert(sets.end(), view.point_groups.begin(), view.point_groups.end());
+  return sets;
 }
 
 std::vector<std::string> abaqus_names(const std::vector<Group>& groups) {

@@ -179,7 +179,7 @@ Status write_spooled_vtkhdf(const SpooledMesh& mesh, const std::string& path,
                             const WriteOptions& options) {
   WriteOptions all = options;
   all.inner_lines = true;
-  const MeshView lines = view_of_lines(mesh.table, mesh.lines(), all);
+  const MeshView lines = view_of_lines(mesh.table, mesh.lines(), all, mesh.named);
   SpooledArrays arrays(mesh);
   const VtkHdfSource source{mesh.table,    mesh.report, lines,
                             arrays.grid(), 3,           mesh.spool.input_vertices()};
@@ -200,7 +200,7 @@ Status write_spooled_vtkhdf(const SpooledMesh& mesh, const std::string& path,
 
 Status write_spooled_msh(const SpooledMesh& mesh, const std::string& path,
                          const WriteOptions& options) {
-  const MeshView view = view_of_lines(mesh.table, mesh.lines(), options);
+  const MeshView view = view_of_lines(mesh.table, mesh.lines(), options, mesh.named);
   Result<std::vector<Point>> input = mesh.spool.input_points();
   if (!input) return std::move(input).error();
   const SpooledCells cells(mesh, view, *std::move(input));
@@ -212,7 +212,7 @@ Status write_spooled_msh(const SpooledMesh& mesh, const std::string& path,
 
 Status write_spooled_xdmf(const SpooledMesh& mesh, const std::string& path,
                           const WriteOptions& options) {
-  const MeshView view = view_of_lines(mesh.table, mesh.lines(), options);
+  const MeshView view = view_of_lines(mesh.table, mesh.lines(), options, mesh.named);
   SpooledArrays arrays(mesh);
   return write_xdmf_file(arrays.xdmf(view), path, options.stop, [&] { return arrays.status(); });
 }

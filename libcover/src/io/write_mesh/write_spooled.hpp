@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <cover/pslg.hpp>
 #include <cover/regions.hpp>
 #include <cover/report.hpp>
 #include <cover/write_mesh.hpp>
@@ -22,7 +23,8 @@ struct SpooledMesh {
   const Report& report;
   std::size_t line_count = 0;  ///< at the most
   std::function<std::vector<LineEdge>()> lines;
-  unsigned threads = 1;  ///< that may write
+  std::vector<NamedPoint> named;  ///< with their numbers in the mesh
+  unsigned threads = 1;           ///< that may write
   /// Has the plan of a .vtkhdf carried out by whoever has regions that `spool` has not, while it
   /// calls `here`; empty: the spool has all of them.
   std::function<Status(const ColumnPlan& plan, const std::function<Status()>& here)> elsewhere{};

@@ -36,6 +36,33 @@ TEST(MeshView, TagsAreUniqueOverRegionsAndLines) {
   for (const Group& group : view.line_groups) EXPECT_EQ(group.tag, ++tag);
 }
 
+/// One name of two points, one of a point that has two, and one of a point in no region.
+TEST(MeshView, NamedPointsAreGroupsBehindLines) {
+  Input input;
+  input.points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {3, 2}, {9, 9}};
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    InputSegment segment;
+    segment.a = k;
+    segment.b = (k + 1) % 4;
+    segment.name = "probe";
+    input.segments.push_back(segment);
+  }
+  input.point_names = {{5, "probe"}, {4, "well 1"}, {5, "well 1"}, {6, "far"}};
+  const Output output = cover_mesh(input).value();
+  const MeshView view = view_of(output, {});
+  EXPECT_EQ(names(view.point_groups), (std::vector<std::string>{"probe", "well_1"}));
+  EXPECT_EQ(view.point_groups[1].original, "well 1");
+  EXPECT_EQ(view.point_groups[0].tag, view.line_groups.back().tag + 1);
+  EXPECT_EQ(view.named_group, (std::vector<std::uint32_t>{0, 1, 1}));
+  std::vector<Point> places;
+  for (const std::uint32_t v : view.named) places.push_back(view.points[v]);
+  EXPECT_EQ(places, (std::vector<Point>{{3, 2}, {1, 1}, {3, 2}}));
+  // The line and the point are sets of nodes.
+  EXPECT_EQ(abaqus_names(node_sets(view)),
+            (std::vector<std::string>{"PROBE", "PROBE_2", "WELL_1"}));
+  EXPECT_TRUE(view_of_triangles(output, {}).named.empty());
+}
+
 TEST(MeshView, AContactOverTwoRegionsIsOneGroup) {
   const Output output = testing::odd_device();
   const auto interfaces =

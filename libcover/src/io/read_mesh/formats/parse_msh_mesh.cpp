@@ -20,7 +20,11 @@ Result<MeshFile> parse_msh_mesh(std::string_view text, const std::string& source
   for (std::size_t e = 0; e < file->elements.size(); ++e) {
     const MshElement& element = file->elements[e];
     const auto nodes = file->nodes_of(element);
-    if (element.dimension == 1) {
+    if (element.dimension == 0) {
+      const auto name = file->names.find({0, element.physical});
+      if (name != file->names.end() && !name->second.empty())
+        mesh.named_points.push_back({VertexId(nodes[0]), name->second});
+    } else if (element.dimension == 1) {
       collector.add_line(nodes, element.physical);
     } else if (element.dimension == 2 && element.corners == 3) {
       collector.add_triangle(nodes);

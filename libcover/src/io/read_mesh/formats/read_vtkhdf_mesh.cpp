@@ -70,6 +70,20 @@ bool add_lines(const FieldReaderHdf& fields, std::size_t points, MeshCollector& 
   return true;
 }
 
+/// Adds points with names; false where they do not fit one another.
+bool add_points(const FieldReaderHdf& fields, std::size_t points, MeshCollector& collector) {
+  const auto* names = fields.texts("PointName");
+  const auto vertices = fields.numbers("PointVertex");
+  if (names == nullptr && !vertices) return true;
+  if (names == nullptr || !vertices || names->size() != vertices->size()) return false;
+  for (std::size_t k = 0; k < names->size(); ++k) {
+    const std::int64_t v = (*vertices)[k];
+    if (v < 0 || v >= static_cast<std::int64_t>(points)) return false;
+    collector.mesh.named_points.push_back({VertexId(static_cast<std::uint32_t>(v)), (*names)[k]});
+  }
+  return true;
+}
+
 bool take_regions(const FieldReaderHdf& fields, StoredMesh& stored) {
   const auto* name = fields.texts("RegionName");
   const auto* material_name = fields.texts("MaterialName");
@@ -135,7 +149,9 @@ Result<VtkHdfMesh> read_vtkhdf_mesh(const std::string& path) {
   out.has_names = fields.texts("RegionName") != nullptr;
   bool fits = true;
   Result<MeshFile> mesh = mesh_of(file->data, path, [&](MeshCollector& collector) {
-    if (out.has_names) fits = add_lines(fields, file->data.point_count(), collector);
+    const std::size_t points = file->data.point_count();
+    if (out.has_names)
+      fits = add_lines(fields, points, collector) && add_points(fields, points, collector);
   });
   if (!mesh) return std::move(mesh).error();
   out.mesh = std::move(*mesh);

@@ -8,7 +8,9 @@ namespace cover {
 void MshSections::head_4(const Buckets& curves) {
   out_ << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
   names();
-  out_ << "$Entities\n0 " << used(curves) << ' ' << used_surfaces() << " 0\n";
+  out_ << "$Entities\n"
+       << view_.point_groups.size() << ' ' << used(curves) << ' ' << used_surfaces() << " 0\n";
+  point_entities();
   curve_entities(curves);
   for (std::size_t g = 0; g < view_.region_groups.size(); ++g)
     if (cells_.triangles(g) > 0) entity(view_.region_groups[g].tag, cells_.box(g));
@@ -20,7 +22,9 @@ void MshSections::names() {
   for (const std::uint32_t group : view_.line_group) has_lines[group] = 1;
   const auto lines = std::count(has_lines.begin(), has_lines.end(), 1);
   out_ << "$PhysicalNames\n"
-       << static_cast<std::size_t>(lines) + view_.region_groups.size() << '\n';
+       << view_.point_groups.size() + static_cast<std::size_t>(lines) + view_.region_groups.size()
+       << '\n';
+  for (const Group& group : view_.point_groups) name(0, group);
   for (std::size_t g = 0; g < view_.line_groups.size(); ++g) {
     if (has_lines[g] != 0) name(1, view_.line_groups[g]);
   }
@@ -45,6 +49,16 @@ void MshSections::entity(int tag, const Box& box) {
 
 void MshSections::corners(const Box& box) {
   out_ << ' ' << box.low.x << ' ' << box.low.y << " 0 " << box.high.x << ' ' << box.high.y << " 0";
+}
+
+void MshSections::point_entities() {
+  for (std::size_t k = 0; k < view_.named.size(); ++k) {
+    if (k > 0 && view_.named_group[k] == view_.named_group[k - 1]) continue;
+    const int tag = view_.point_groups[view_.named_group[k]].tag;
+    out_ << tag << ' ';
+    const Point place = cells_.line_point(view_.named[k]);
+    out_ << place.x << ' ' << place.y << " 0 1 " << tag << '\n';
+  }
 }
 
 void MshSections::curve_entities(const Buckets& members) {

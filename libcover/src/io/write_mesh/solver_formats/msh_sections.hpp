@@ -40,6 +40,7 @@ class MshSections {
   void corners(const Box& box);
 
   [[nodiscard]] bool second_order() const { return view_.lines.nodes_each == 3; }
+  static constexpr int kPointType = 15;
   [[nodiscard]] int line_type() const { return second_order() ? 8 : 1; }
   [[nodiscard]] int triangle_type() const { return second_order() ? 9 : 2; }
   [[nodiscard]] std::size_t used_surfaces() const;
@@ -56,6 +57,8 @@ class MshSections {
   void name(int dimension, const Group& group);
   /// Tag, bounding box, physical group; not what bounds it.
   void entity(int tag, const Box& box);
+  /// One for each group, at its first point.
+  void point_entities();
   void curve_entities(const Buckets& members);
 };
 

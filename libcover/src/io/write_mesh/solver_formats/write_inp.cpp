@@ -1,8 +1,8 @@
 // Abaqus' input deck, as CalculiX and Elmer read it too: nodes, elements in one set per region
-// group, nodes of each line group in a set. Names of sets are case-insensitive and begin with a
-// letter. Both programs read the first 20 characters of a number and no more, so a coordinate that
-// is longer would lose its exponent: it is rounded to the digits that fit. A mesh that has
-// triangles too thin for that is refused.
+// group, nodes of each group of lines or points in a set. Names of sets are case-insensitive and
+// begin with a letter. Both programs read the first 20 characters of a number and no more, so a
+// coordinate that is longer would lose its exponent: it is rounded to the digits that fit. A mesh
+// that has triangles too thin for that is refused.
 //
 // Tested by tests/unit/io/write_mesh/solver_formats/write_inp_test.cpp and, in CalculiX, by
 // tests/solvers.
@@ -96,7 +96,11 @@ void write_elements(const MeshView& view, const std::string& family, TextWriter&
 }
 
 void write_node_sets(const MeshView& view, TextWriter& out) {
-  const std::vector<std::string> names = abaqus_names(view.line_groups);
+  const std::vector<std::string> names = abaqus_names(node_sets(view));
+  const auto write = [&](const std::string& name, const std::vector<std::uint32_t>& nodes) {
+    out << "*NSET, NSET=" << name << '\n';
+    for (const std::uint32_t node : nodes) out << node + 1 << ",\n";
+  };
   const Buckets sets(view.line_groups.size(), view.lines.size(),
                      [&](std::size_t l) { return view.line_group[l]; });
   for (std::size_t g = 0; g < sets.size(); ++g) {
@@ -106,9 +110,12 @@ void write_node_sets(const MeshView& view, TextWriter& out) {
       nodes.insert(nodes.end(), view.lines[l].begin(), view.lines[l].end());
     }
     sort_unique(nodes);
-    out << "*NSET, NSET=" << names[g] << '\n';
-    for (const std::uint32_t node : nodes) out << node + 1 << ",\n";
+    write(names[g], nodes);
   }
+  std::vector<std::vector<std::uint32_t>> named(view.point_groups.size());
+  for (std::size_t k = 0; k < view.named.size(); ++k)
+    named[view.named_group[k]].push_back(view.named[k]);
+  for (std::size_t g = 0; g < named.size(); ++g) write(names[sets.size() + g], named[g]);
 }
 
 }  // namespace

@@ -27,7 +27,11 @@ Status write_medit(const Output& output, const std::string& path, const WriteOpt
   const MeshView view = view_of(output, options);
   return write_text(path, options.stop, [&](TextWriter& out) {
     out << "MeshVersionFormatted 2\nDimension 2\n\nVertices\n" << view.points.size() << '\n';
-    for (const Point& p : view.points) out << p.x << ' ' << p.y << " 0\n";
+    std::vector<int> reference(view.points.size());
+    for (std::size_t k = 0; k < view.named.size(); ++k)
+      reference[view.named[k]] = view.point_groups[view.named_group[k]].tag;
+    for (std::size_t p = 0; p < view.points.size(); ++p)
+      out << view.points[p].x << ' ' << view.points[p].y << ' ' << reference[p] << '\n';
     write_cells(
         view.second_order() ? "EdgesP2" : "Edges", view.lines,
         [&](std::size_t l) { return view.group_of_line(l).tag; }, out);

@@ -39,7 +39,8 @@ class MshWriter : MshSections {
       out_ << ++node << ' ';
       coordinates(p);
     });
-    out_ << "$EndNodes\n$Elements\n" << view_.lines.size() + cells_.triangles() << '\n';
+    out_ << "$EndNodes\n$Elements\n"
+         << view_.named.size() + view_.lines.size() + cells_.triangles() << '\n';
     const std::vector<std::size_t> curve = curves();
     for (std::size_t l = 0; l < view_.lines.size(); ++l) {
       element_2(line_type(), view_.group_of_line(l).tag, curve[l], view_.lines[l]);
@@ -50,6 +51,11 @@ class MshWriter : MshSections {
       element_2(triangle_type(), group.tag, region.index(), nodes);
       remember(region);
     });
+    // Behind all others, which have the same numbers in parts of the mesh.
+    for (std::size_t k = 0; k < view_.named.size(); ++k) {
+      element_2(kPointType, view_.point_groups[view_.named_group[k]].tag, k + 1, named(k));
+      remember(kVoid);
+    }
     out_ << "$EndElements\n";
     periodic(false, [&](std::size_t l) { return curve[l]; });
     data();
@@ -65,9 +71,10 @@ class MshWriter : MshSections {
     out_ << "$Nodes\n1 " << points << " 1 " << points << "\n2 1 0 " << points << '\n';
     for (std::size_t p = 0; p < points; ++p) out_ << p + 1 << '\n';
     cells_.each_point([&](Point p) { coordinates(p); });
-    const std::size_t elements = view_.lines.size() + cells_.triangles();
+    const std::size_t elements = view_.named.size() + view_.lines.size() + cells_.triangles();
     out_ << "$EndNodes\n$Elements\n"
-         << used(curves) + surfaces << ' ' << elements << " 1 " << elements << '\n';
+         << view_.point_groups.size() + used(curves) + surfaces << ' ' << elements << " 1 "
+         << elements << '\n';
     for (std::size_t g = 0; g < view_.line_groups.size(); ++g) {
       if (curves[g].empty()) continue;
       block(1, view_.line_groups[g].tag, line_type(), curves[g].size());
@@ -79,6 +86,12 @@ class MshWriter : MshSections {
       cells_.each_triangle(g, [&](RegionId region, std::span<const std::uint32_t> nodes) {
         element_4(region, nodes);
       });
+    }
+    const Buckets points_of(view_.point_groups.size(), view_.named.size(),
+                            [&](std::size_t k) { return view_.named_group[k]; });
+    for (std::size_t g = 0; g < view_.point_groups.size(); ++g) {
+      block(0, view_.point_groups[g].tag, kPointType, points_of[g].size());
+      for (const std::size_t k : points_of[g]) element_4(kVoid, named(k));
     }
     out_ << "$EndElements\n";
     periodic(true,
@@ -108,6 +121,11 @@ class MshWriter : MshSections {
     return tags;
   }
 
+  /// The node of a point's element.
+  [[nodiscard]] std::span<const std::uint32_t> named(std::size_t k) const {
+    return std::span(view_.named).subspan(k, 1);
+  }
+
   void element_2(int type, int physical, std::size_t elementary,
                  std::span<const std::uint32_t> cell) {
     out_ << ++element_ << ' ' << type << " 2 " << physical << ' ' << elementary;
@@ -125,8 +143,8 @@ class MshWriter : MshSections {
     if (!view_.attributes.empty()) region_of_element_.push_back(region);
   }
 
-  /// Attributes and fields. Every element has a value, lines those of the region on their left,
-  /// since meshio cannot read data of some elements alone.
+  /// Attributes and fields. Every element has a value, lines those of the region on their left and
+  /// points none, since meshio cannot read data of some elements alone.
   void data() {
     for (const Attribute& attribute : view_.attributes) {
       begin_data("Element", attribute.name, region_of_element_.size());
@@ -201,9 +219,12 @@ void write_msh_text(const MeshView& view, const CellSource& cells, const RegionT
 
 Status write_msh(const Output& output, const std::string& path, const WriteOptions& options) {
   if (Status status = check_format(".msh", output, path, options); !status) return status;
-  const MeshView view = view_of(output, options);
+  MeshView view = view_of(output, options);
   if (options.parts != 1) {
     if (!view.periodic.empty()) return periodic_in_parts(path);
+    view.named.clear();
+    view.named_group.clear();
+    view.point_groups.clear();
     return write_msh_parts(view, output.table, path, options);
   }
   return write_text(path, options.stop, [&](TextWriter& out) {

@@ -18,7 +18,7 @@ namespace cover {
 struct VtkHdfSource {
   const RegionTable& table;
   const Report& report;
-  const MeshView& lines;  ///< its lines alone are looked at
+  const MeshView& lines;  ///< its lines and named points alone are looked at
   VtuGrid grid;
   std::size_t nodes_each = 3;
   std::size_t input_vertices = 0;

@@ -43,6 +43,7 @@ class VtkHdfContent {
     cells();
     regions();
     lines();
+    points();
     origin();
     order();
     return std::move(content_);
@@ -74,6 +75,14 @@ class VtkHdfContent {
       if (attribute.is_text)
         texts(words_name(attribute.name).c_str(), attribute.words,
               [](const std::string& word) { return word; });
+  }
+
+  void points() {
+    if (view_.named.empty()) return;
+    texts("PointName", view_.named_group,
+          [this](std::uint32_t group) { return view_.point_groups[group].original; });
+    numbers<std::int64_t>("PointVertex", view_.named.size(),
+                          [this](std::size_t k) { return view_.named[k]; });
   }
 
   void lines() {
