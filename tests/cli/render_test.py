@@ -52,6 +52,29 @@ class Render(Case):
             self.assertGreater(len(set(seen[0][0])), 10)
             self.assertEqual(seen, seen[:1] * len(seen))
 
+    def test_materials_where_the_file_has_groups_alone(self):
+        # The third region lies between the others: materials are not in the order of the regions.
+        square = [[0, 0], [1, 0], [1, 1], [0, 1]]
+        self.write('d.json', json.dumps({'polygons': [
+            {'material': material, 'region': region, 'points': [[x + dx, y] for x, y in square]}
+            for material, region, dx in (('Si', 'body', 0), ('oxide', 'ox', 2), ('Si', 'well', 1))]}))
+        for name, *options in (('d.inp',), ('d.mesh',), ('d.msh',), ('e.msh', '--msh', '4.1')):
+            folder = self.dir / name.replace('.', '_')
+            folder.mkdir()
+            self.run_cover('mesh', 'd.json', '-o', folder / name, *options, '-q')
+            for other in folder.glob('*.json'):
+                other.unlink()
+            self.run_cover('convert', folder / name, '-o', folder / 'n.json', '-q')
+            self.run_cover('render', folder / name, '-o', folder / 'p.svg', '--title', 't')
+            regions = json.loads((folder / 'n.json').read_text())['regions']
+            self.assertEqual(len(regions), 3)
+            said = {region['name'] if region['name'] == region['material_name'] else
+                    f"{region['name']} ({region['material_name']})" for region in regions}
+            picture = (folder / 'p.svg').read_text()
+            legend = set(re.findall('>([^<]*)</text>', picture)) & {*said, 'body', 'ox', 'well'}
+            self.assertEqual(legend, said, name)
+            self.assertEqual(len(set(re.findall('<path fill="(#[0-9a-f]{6})"', picture))), len(said), name)
+
     def test_the_surface_of_a_device_on_top(self):
         # In TCAD's files y grows into the substrate.
         self.run_cover('mesh', SAMPLES / 'nmos.tif', '-o', 'n.vtm', '-q')

@@ -1,6 +1,12 @@
 // cover render: a picture of a mesh, without a display.
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -21,7 +27,39 @@ namespace cover::app {
 
 namespace {
 
-/// With names and contacts if cover wrote the mesh and its .vtm or .json is there.
+/// The number of each triangle, by its corners in rising order.
+std::map<std::array<std::uint32_t, 3>, std::size_t> triangles_by_corners(
+    const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  std::map<std::array<std::uint32_t, 3>, std::size_t> numbers;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    std::array<std::uint32_t, 3> corners = triangles[t];
+    std::sort(corners.begin(), corners.end());
+    numbers.emplace(corners, t);
+  }
+  return numbers;
+}
+
+/// Gives triangles the regions and materials that `known` has for the same ones; false, and nothing
+/// is changed, if these are not the same. Many formats hold groups alone, and regions are made out
+/// of them; so names are by the numbers of `known`.
+bool take_regions(const TriangleSoup& known, TriangleSoup& soup) {
+  if (known.points != soup.points || known.triangles.size() != soup.triangles.size()) return false;
+  const auto numbers = triangles_by_corners(known.triangles);
+  std::vector<std::int64_t> region, material;
+  for (std::array<std::uint32_t, 3> corners : soup.triangles) {
+    std::sort(corners.begin(), corners.end());
+    const auto found = numbers.find(corners);
+    if (found == numbers.end()) return false;
+    region.push_back(known.region[found->second]);
+    material.push_back(known.material[found->second]);
+  }
+  soup.region = std::move(region);
+  soup.material = std::move(material);
+  return true;
+}
+
+/// With regions, names and contacts as read_output() has them; of what it refuses, with the numbers
+/// of the file.
 Result<PictureMesh> read_picture(const std::string& path) {
   const bool blocks = extension_of(path) == ".vtm";
   const Result<Output> known = read_output(path);
@@ -31,7 +69,7 @@ Result<PictureMesh> read_picture(const std::string& path) {
   PictureMesh picture;
   if (known) picture = picture_of(*known);
   // Lines are by vertex: they hold only where both readers count alike.
-  if (picture.mesh.soup.points != mesh->soup.points) picture = {};
+  if (!take_regions(picture.mesh.soup, mesh->soup)) picture = {};
   picture.mesh = *std::move(mesh);
   return picture;
 }
