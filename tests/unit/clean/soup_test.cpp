@@ -596,6 +596,23 @@ TEST(Soup, WarnsOfContactsOnOneSegment) {
   EXPECT_TRUE(clean(input)->tells("the line 'drain' at (2, 4) has length zero"));
 }
 
+TEST(Soup, LinesNameWhatSegmentsHaveAnotherNameFor) {
+  Input input = testing::input_of({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+  testing::add_ring(input, 0, 4);
+  for (InputSegment& segment : input.segments) segment.name = "frame";
+  input.lines = {{"outside", {{0, 0}, {2, 0}}, 1}, {"cold", {{1, 0}, {4, 0}}, 2}};
+  const auto out = clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  std::map<std::string, double> lengths;
+  for (const Segment& s : out->pslg.segments)
+    lengths[out->pslg.names[s.name]] +=
+        length(out->pslg.points[s.b.index()] - out->pslg.points[s.a.index()]);
+  EXPECT_EQ(lengths, (std::map<std::string, double>{{"cold", 2}, {"frame", 12}, {"outside", 2}}));
+  EXPECT_TRUE(out->tells("'frame' and 'outside' both lie on 2 segments"));
+  EXPECT_TRUE(out->tells("'frame' and 'cold' both lie on 2 segments"));
+  EXPECT_TRUE(out->tells("'cold' and 'outside' both lie on 1 segment,"));
+}
+
 TEST(Soup, TellsWhatItDoesToSegments) {
   Input input = testing::input_of({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
   input.points.push_back({0, 0});

@@ -76,8 +76,9 @@ class Assembler {
         const Origin origin = network_.raws[s.raw].origin;
         if (origin.kind == Origin::Kind::ring) continue;
         if (!std::exchange(directed, true)) std::tie(a, b) = std::pair(s.a, s.b);
-        take_over(origin, segment, graph_.edges[e]);
+        if (origin.kind == Origin::Kind::segment) take_over(input_.segments[origin.index], segment);
       }
+      name_segment(e, segment);
       segment.a = vertex_[a];
       segment.b = vertex_[b];
       pslg_.segments.push_back(segment);
@@ -88,14 +89,23 @@ class Assembler {
     }
   }
 
-  void take_over(Origin origin, Segment& segment, IndexPair edge) {
-    if (origin.kind == Origin::Kind::line) {
-      return take_name(input_.lines[origin.index].name, segment, edge);
+  static void take_over(const InputSegment& from, Segment& segment) {
+    if (segment.id < 0) segment.id = from.id;
+    if (segment.marker == 0) segment.marker = from.marker;
+  }
+
+  /// Lines come before segments: a line is laid over a drawing to name what is there, and segments
+  /// often have the name of their layer only.
+  void name_segment(std::size_t e, Segment& segment) {
+    for (const Origin::Kind kind : {Origin::Kind::line, Origin::Kind::segment}) {
+      for (const Strand& s : graph_.strands(network_, e)) {
+        const Origin origin = network_.raws[s.raw].origin;
+        if (origin.kind != kind) continue;
+        take_name(kind == Origin::Kind::line ? input_.lines[origin.index].name
+                                             : input_.segments[origin.index].name,
+                  segment, graph_.edges[e]);
+      }
     }
-    const InputSegment& s = input_.segments[origin.index];
-    if (segment.id < 0) segment.id = s.id;
-    if (segment.marker == 0) segment.marker = s.marker;
-    take_name(s.name, segment, edge);
   }
 
   /// The first name counts.
