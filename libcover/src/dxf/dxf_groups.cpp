@@ -9,6 +9,8 @@
 
 #include <fmt/core.h>
 
+#include <cover/text.hpp>
+
 #include "dxf/group_text.hpp"
 #include "io/text/text.hpp"
 
@@ -103,6 +105,7 @@ class Checker {
     const std::string name(group_.value);
     advance();
     if (name == "HEADER") return header();
+    if (name == "TABLES") return tables();
     const bool drawn = name == "ENTITIES" || name == "BLOCKS";
     if (drawn) put("  0\nSECTION\n  2\n" + name);
     while (in_section()) {
@@ -125,6 +128,27 @@ class Checker {
     }
   }
 
+  void tables() {
+    while (in_section()) {
+      const bool is_layer = is(0, "LAYER");
+      advance();
+      if (is_layer) layer();
+    }
+  }
+
+  void layer() {
+    constexpr long kFrozen = 1;
+    std::string name;
+    bool frozen = false, off = false;
+    for (; !error_ && group_.code != 0; advance()) {
+      if (group_.code == 2)
+        name = group_text_in_utf8(group_.value, code_page_).substr(0, kMostText);
+      if (group_.code == 70) frozen = (parse_integer(group_.value).value_or(0) & kFrozen) != 0;
+      if (group_.code == 62) off = parse_integer(group_.value).value_or(0) < 0;
+    }
+    if (frozen || off) out_.hidden[lower(name)] = {name, frozen};
+  }
+
   void put(std::string_view text) {
     out_.text += text;
     out_.text += '\n';
@@ -137,9 +161,10 @@ class Checker {
     const std::string_view kind = group_.value;
     const int line = group_.line;
     std::vector<Group> groups;
-    bool paper = false;
+    bool paper = false, invisible = false;
     for (advance(); !error_ && group_.code != 0; advance()) {
       paper |= group_.code == 67 && group_.value == "1";
+      invisible |= group_.code == 60 && group_.value == "1";
       if (is_real(group_.code) || is_whole(group_.code) || is_text(group_.code))
         groups.push_back(group_);
     }
@@ -147,13 +172,17 @@ class Checker {
     if (kind == "ENDBLK") return put("  0\nENDBLK");
     if (paper) return;
     const bool known = std::find(kKinds.begin(), kKinds.end(), kind) != kKinds.end();
-    // The end of a sequence of attributes is not one of vertices.
-    if (kind == "POLYLINE") in_polyline_ = true;
     const bool inner = kind == "VERTEX" || kind == "SEQEND";
+    if (invisible && known && !inner && kind != "BLOCK") {
+      ++out_.invisible;
+      return;
+    }
     if (!known || (inner && !in_polyline_)) {
       if (!inner && kind != "ATTRIB" && kind != "ATTDEF") ++out_.left_out[legible(kind)];
       return;
     }
+    // The end of a sequence of attributes is not one of vertices.
+    if (kind == "POLYLINE") in_polyline_ = true;
     if (kind == "SEQEND") in_polyline_ = false;
     put(0, kind);
     put_counts(kind, groups);

@@ -9,11 +9,19 @@
 
 namespace cover {
 
+/// A layer that is switched off, or frozen: then so is what is inserted on it.
+struct HiddenLayer {
+  std::string name;
+  bool frozen = false;
+};
+
 /// What is left of a drawing for dxflib.
 struct CheckedDxf {
   std::string text;                             ///< blocks and entities that are read, in DXF
   int unit = 0;                                 ///< $INSUNITS; 0: not said
   std::map<std::string, std::size_t> left_out;  ///< number of entities by their kind
+  std::size_t invisible = 0;                    ///< entities that say so: left out
+  std::map<std::string, HiddenLayer> hidden;    ///< by names in small letters
 };
 
 /// Drops sections, entities and groups that are not read, and makes sure that numbers are finite

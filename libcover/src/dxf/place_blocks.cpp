@@ -7,6 +7,8 @@
 
 #include <fmt/core.h>
 
+#include <cover/text.hpp>
+
 #include "geom/turn.hpp"
 #include "io/text/limits.hpp"
 #include "io/text/text.hpp"
@@ -28,8 +30,9 @@ Affine place_of(const DxfInsert& insert, Point base, int column, int row) {
 
 class Placer {
  public:
-  Placer(const DxfDrawing& drawing, const std::string& source)
-      : drawing_(drawing), source_(source) {
+  Placer(const DxfDrawing& drawing, const std::string& source,
+         const std::map<std::string, HiddenLayer>& hidden)
+      : drawing_(drawing), source_(source), hidden_(hidden) {
     own_ = drawing.model.curves.size() + drawing.model.texts.size() + drawing.model.inserts.size();
     for (const auto& [name, block] : drawing.blocks)
       own_ += block.curves.size() + block.texts.size() + block.inserts.size();
@@ -40,7 +43,7 @@ class Placer {
     if (!error_ && amount > static_cast<double>(kLayoutShapes + own_))
       fail(fmt::format("blocks make {:.6g} things of {}, at most {} are drawn", amount, own_,
                        kLayoutShapes + own_));
-    if (!error_) place(drawing_.model, Affine(), nullptr);
+    if (!error_) place(drawing_.model, Affine(), {});
     if (error_) return *std::move(error_);
     out_.missing.assign(missing_.begin(), missing_.end());
     return std::move(out_);
@@ -80,25 +83,39 @@ class Placer {
     return amount;
   }
 
-  void place(const DxfBlock& block, const Affine& at, const std::string* layer) {
+  /// The layer of the insert that a block is seen through, and what is frozen of all such.
+  struct Seen {
+    const std::string* layer = nullptr;
+    const std::string* frozen = nullptr;
+  };
+
+  [[nodiscard]] bool is_frozen(const std::string& layer) const {
+    const auto found = hidden_.find(lower(layer));
+    return found != hidden_.end() && found->second.frozen;
+  }
+
+  void place(const DxfBlock& block, const Affine& at, Seen seen) {
     const auto layer_of = [&](const std::string& own) {
-      return layer != nullptr && own == "0" ? layer : &own;
+      return seen.layer != nullptr && own == "0" ? seen.layer : &own;
     };
     for (const DxfCurve& curve : block.curves)
-      out_.curves.push_back({&curve, at, layer_of(curve.layer)});
-    for (const DxfText& text : block.texts) out_.texts.push_back({&text, at, layer_of(text.layer)});
+      out_.curves.push_back({&curve, at, layer_of(curve.layer), seen.frozen});
+    for (const DxfText& text : block.texts)
+      out_.texts.push_back({&text, at, layer_of(text.layer), seen.frozen});
     for (const DxfInsert& insert : block.inserts) {
       const DxfBlock* inner = find(insert.block);
       if (inner == nullptr) continue;
+      Seen within{layer_of(insert.layer), seen.frozen};
+      if (within.frozen == nullptr && is_frozen(*within.layer)) within.frozen = within.layer;
       for (int row = 0; row < insert.rows; ++row)
         for (int column = 0; column < insert.columns; ++column)
-          place(*inner, at.after(place_of(insert, inner->base, column, row)),
-                layer_of(insert.layer));
+          place(*inner, at.after(place_of(insert, inner->base, column, row)), within);
     }
   }
 
   const DxfDrawing& drawing_;
   const std::string& source_;
+  const std::map<std::string, HiddenLayer>& hidden_;
   std::size_t own_ = 0;
   std::map<const DxfBlock*, double> amounts_;
   std::set<std::string> missing_;
@@ -108,8 +125,9 @@ class Placer {
 
 }  // namespace
 
-Result<PlacedDrawing> place_blocks(const DxfDrawing& drawing, const std::string& source) {
-  return Placer(drawing, source).run();
+Result<PlacedDrawing> place_blocks(const DxfDrawing& drawing, const std::string& source,
+                                   const std::map<std::string, HiddenLayer>& hidden) {
+  return Placer(drawing, source, hidden).run();
 }
 
 }  // namespace cover

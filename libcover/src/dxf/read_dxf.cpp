@@ -38,48 +38,86 @@ constexpr double kUlpsUnsaid = 4;
 
 using Path = std::vector<Point>;
 
+/// "1 entity is", "2 entities are".
+std::string several(std::size_t n, std::string_view one, std::string_view more) {
+  return fmt::format("{} {}", n, n == 1 ? one : more);
+}
+
 class DxfConverter {
  public:
-  DxfConverter(const PlacedDrawing& placed, const std::string& source, const ReadOptions& options)
-      : placed_(placed), options_(options) {
+  DxfConverter(const PlacedDrawing& placed, const CheckedDxf& checked, const std::string& source,
+               const ReadOptions& options)
+      : placed_(placed), checked_(checked), options_(options) {
     input_.source = source;
   }
 
   Result<Input> run() {
+    choose_curves();
     choose_layers();
-    for (const Placed<DxfCurve>& curve : placed_.curves)
-      if (is_read(curve)) note(curve);
+    for (const Placed<DxfCurve>* curve : curves_) note(*curve);
     ends_ = CurveEnds(size_);
-    for (const Placed<DxfCurve>& curve : placed_.curves)
-      if (is_read(curve)) note_given_ends(curve);
-    for (const Placed<DxfCurve>& curve : placed_.curves)
-      if (is_read(curve)) note_arc_ends(curve);
-    for (const Placed<DxfCurve>& curve : placed_.curves) {
-      if (!is_read(curve)) continue;
-      add(curve);
+    for (const Placed<DxfCurve>* curve : curves_) note_given_ends(*curve);
+    for (const Placed<DxfCurve>* curve : curves_) note_arc_ends(*curve);
+    for (const Placed<DxfCurve>* curve : curves_) {
+      add(*curve);
       if (error_) return *std::move(error_);
     }
     add_texts();
     if (error_) return *std::move(error_);
-    if (input_.segments.empty())
-      return Error{options_.layers.empty() ? ErrorCode::syntax : ErrorCode::bad_option,
-                   fmt::format("{}: no line or curve in it{}", input_.source,
-                               options_.layers.empty()
-                                   ? ""
-                                   : " on the layers that are read" + others(layers_drawn())),
-                   {},
-                   {}};
+    if (input_.segments.empty()) return nothing_drawn();
     tell_of_layers();
     tell();
     return std::move(input_);
   }
 
  private:
-  [[nodiscard]] bool is_read(const Placed<DxfCurve>& curve) const {
+  [[nodiscard]] Error nothing_drawn() const {
+    std::string message = input_.source + ": no line or curve in it";
+    if (options_.layers.empty()) {
+      for (const std::string& sentence : about_hidden()) message += "; " + sentence;
+    } else {
+      message += " on the layers that are read" + others(layers_drawn());
+    }
+    return {options_.layers.empty() ? ErrorCode::syntax : ErrorCode::bad_option, message, {}, {}};
+  }
+
+  [[nodiscard]] std::vector<std::string> about_hidden() const {
+    std::vector<std::string> sentences;
+    if (checked_.invisible > 0)
+      sentences.push_back(several(checked_.invisible, "entity is", "entities are") +
+                          " invisible: left out");
+    if (hidden_ > 0)
+      sentences.push_back(
+          fmt::format("{} left out on hidden layers: {}; --layer reads those it names",
+                      several(hidden_, "line or curve is", "lines and curves are"),
+                      listed(some(hiding_layers_))));
+    return sentences;
+  }
+
+  /// Layers that options name are read even where they are hidden.
+  void choose_curves() {
+    std::set<std::string> wanted;
+    for (const std::string& layer : options_.layers) wanted.insert(lower(layer));
+    for (const Placed<DxfCurve>& curve : placed_.curves) {
+      const std::string hiding = wanted.empty() ? hiding_layer(curve) : "";
+      if (!hiding.empty()) {
+        hiding_layers_.insert(hiding);
+        ++hidden_;
+      } else if (wanted.empty() || wanted.contains(lower(*curve.layer))) {
+        curves_.push_back(&curve);
+      }
+    }
+  }
+
+  /// "Aux (frozen)", the layer that hides a curve; empty: none does. Points that dimensions measure
+  /// from are on a layer that CAD programs never print.
+  [[nodiscard]] std::string hiding_layer(const Placed<DxfCurve>& curve) const {
+    if (curve.frozen != nullptr) return *curve.frozen + " (frozen)";
     const std::string layer = lower(*curve.layer);
-    return options_.layers.empty() ||
-           std::any_of(options_.layers.begin(), options_.layers.end(),
-                       [&](const std::string& wanted) { return lower(wanted) == layer; });
+    const auto found = checked_.hidden.find(layer);
+    if (found != checked_.hidden.end())
+      return *curve.layer + (found->second.frozen ? " (frozen)" : " (off)");
+    return layer == "defpoints" ? *curve.layer + " (never printed)" : "";
   }
 
   /// Those of all lines and curves.
@@ -91,12 +129,17 @@ class DxfConverter {
 
   /// "; its layers: a, b", of what is drawn.
   [[nodiscard]] static std::string others(const std::set<std::string>& layers) {
+    return layers.empty() ? "" : "; its layers: " + listed(some(layers));
+  }
+
+  /// The first of many names.
+  [[nodiscard]] static std::vector<std::string> some(const std::set<std::string>& layers) {
     constexpr std::size_t kMostNamed = 12;
-    if (layers.empty()) return "";
     std::vector<std::string> names(layers.begin(), layers.end());
-    names.resize(std::min(names.size(), kMostNamed));
-    return fmt::format("; its layers: {}{}", listed(names),
-                       layers.size() > kMostNamed ? ", ..." : "");
+    if (names.size() <= kMostNamed) return names;
+    names.resize(kMostNamed);
+    names.emplace_back("...");
+    return names;
   }
 
   /// Layers that were asked for, on which nothing is drawn.
@@ -114,8 +157,7 @@ class DxfConverter {
   /// A name that all segments have tells nothing.
   void choose_layers() {
     std::set<std::string> layers;
-    for (const Placed<DxfCurve>& curve : placed_.curves)
-      if (is_read(curve)) layers.insert(*curve.layer);
+    for (const Placed<DxfCurve>* curve : curves_) layers.insert(*curve->layer);
     named_ = layers.size() > 1;
   }
 
@@ -355,13 +397,18 @@ class DxfConverter {
     if (options_.label_layer.empty())
       warn(other_texts_,
            "texts are left out; --label-layer makes names of regions of those on one layer");
+    for (std::string& sentence : about_hidden()) input_.warnings.push_back(std::move(sentence));
     if (!placed_.missing.empty())
       input_.warnings.push_back(
           fmt::format("blocks that are inserted and not there: {}", listed(placed_.missing)));
   }
 
   const PlacedDrawing& placed_;
+  const CheckedDxf& checked_;
   const ReadOptions& options_;
+  std::vector<const Placed<DxfCurve>*> curves_;  ///< those that are read
+  std::set<std::string> hiding_layers_;
+  std::size_t hidden_ = 0;  ///< lines and curves on these
   Input input_;
   CurveCutter cutter_;
   CircleNumbers circles_{input_.circles};
@@ -416,9 +463,9 @@ Result<Input> input_of_dxf(std::string_view text, const std::string& source,
   if (!checked) return checked.error();
   const Result<DxfDrawing> drawing = build_drawing(*checked, source);
   if (!drawing) return drawing.error();
-  const Result<PlacedDrawing> placed = place_blocks(*drawing, source);
+  const Result<PlacedDrawing> placed = place_blocks(*drawing, source, checked->hidden);
   if (!placed) return placed.error();
-  Result<Input> input = DxfConverter(*placed, source, options).run();
+  Result<Input> input = DxfConverter(*placed, *checked, source, options).run();
   if (!input) return input;
   tell_left_out(*input, *checked, *drawing);
   set_unit(*input, checked->unit, options);

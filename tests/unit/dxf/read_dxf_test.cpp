@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <set>
+#include <tuple>
 
 #include "support/cases_folder.hpp"
 #include "support/inputs/dxf_writer.hpp"
@@ -371,6 +372,87 @@ TEST(ReadDxf, UnitsAndWhatIsLeftOutAreTold) {
   options.unit = "mm";
   options.scale = 25.4;
   EXPECT_NEAR(area_of(read(d.finish(), options)), 25.4 * 25.4 * polygon_area(72), 1e-9);
+}
+
+/// A square of 10 on layer Frame, and a table with one more layer that has these flags and colour.
+DxfWriter frame_beside_layer(const std::string& name, int flags, int colour) {
+  DxfWriter d;
+  d.group(0, "SECTION").group(2, "TABLES").group(0, "TABLE").group(2, "LAYER").group(70, 2);
+  d.group(0, "LAYER").group(2, "Frame").group(70, 0).group(62, 7);
+  d.group(0, "LAYER").group(2, name).group(70, flags).group(62, colour);
+  d.group(0, "ENDTAB").end_section();
+  return d;
+}
+
+void add_frame(DxfWriter& d) {
+  d.entity(
+      "LWPOLYLINE", "Frame",
+      {{90, 4}, {70, 1}, {10, 0}, {20, 0}, {10, 9}, {20, 0}, {10, 9}, {20, 9}, {10, 0}, {20, 9}});
+}
+
+TEST(ReadDxf, LayersThatAreOffOrFrozenAreLeftOut) {
+  struct Case {
+    const char *layer, *why;
+    int flags, colour;
+  };
+  for (const Case& c : {Case{"Aux", " (frozen)", 1, 7}, Case{"Aux", " (off)", 0, -7},
+                        Case{"DEFPOINTS", " (never printed)", 0, 7}}) {
+    DxfWriter d = frame_beside_layer(c.layer, c.flags, c.colour);
+    d.begin_entities();
+    add_frame(d);
+    d.line(c.layer, 0, 0, 9, 9).circle(c.layer, 5, 5, 1);
+    const std::string text = d.finish();
+    const Input input = read(text);
+    EXPECT_EQ(input.segments.size(), 4U) << c.layer;
+    EXPECT_TRUE(input.segments[0].name.empty());  // as all that is read is on one layer
+    EXPECT_EQ(input.warnings,
+              std::vector<std::string>{std::string("2 lines and curves are left out on hidden "
+                                                   "layers: ") +
+                                       c.layer + c.why + "; --layer reads those it names"});
+    ReadOptions options;
+    options.layers = {"Frame", c.layer};
+    const Input all = read(text, options);
+    EXPECT_EQ(all.segments.size(), 4U + 1 + 72);
+    EXPECT_TRUE(all.warnings.empty());
+  }
+  // What is no layer's state, as bit 2 of the flags: frozen in new windows.
+  DxfWriter shown = frame_beside_layer("Aux", 2, 7);
+  shown.begin_entities();
+  add_frame(shown);
+  EXPECT_EQ(read(shown.line("Aux", 0, 0, 9, 9).finish()).segments.size(), 5U);
+  DxfWriter nothing = frame_beside_layer("Aux", 1, 7);
+  EXPECT_EQ(message(nothing.begin_entities().line("Aux", 0, 0, 9, 9).finish()),
+            "a.dxf: no line or curve in it; 1 line or curve is left out on hidden layers: Aux "
+            "(frozen); --layer reads those it names");
+}
+
+TEST(ReadDxf, WhatIsInsertedOnAFrozenLayerIsFrozen) {
+  // A layer that is off hides what is on layer 0 of the block alone.
+  for (const auto& [flags, colour, segments] : {std::tuple(1, 7, 4U), std::tuple(0, -7, 5U)}) {
+    DxfWriter d = frame_beside_layer("Aux", flags, colour);
+    d.begin_blocks().begin_block("b").line("0", 0, 0, 9, 9).line("Frame", 0, 9, 9, 0).end_block();
+    d.end_section().begin_entities();
+    add_frame(d);
+    const std::string text = d.insert("b", "Aux", {{10, 0}, {20, 0}}).finish();
+    EXPECT_EQ(read(text).segments.size(), segments);
+    ReadOptions options;
+    options.layers = {"Aux"};
+    EXPECT_EQ(read(text, options).segments.size(), 1U);
+  }
+}
+
+TEST(ReadDxf, InvisibleEntitiesAreLeftOut) {
+  DxfWriter d;
+  d.begin_blocks().begin_block("b").line("Frame", 0, 0, 9, 9).end_block().end_section();
+  d.begin_entities();
+  add_frame(d);
+  d.entity("LINE", "Frame", {{60, 1}, {10, 5}, {20, 0}, {11, 5}, {21, 9}});
+  d.insert("b", "Frame", {{60, 1}, {10, 0}, {20, 0}});
+  d.entity("POLYLINE", "Frame", {{60, 1}, {66, 1}, {70, 0}});
+  d.entity("VERTEX", "Frame", {{10, 0}, {20, 5}}).entity("VERTEX", "Frame", {{10, 9}, {20, 5}});
+  const Input input = read(d.group(0, "SEQEND").line("Frame", 0, 4, 9, 4).finish());
+  EXPECT_EQ(input.segments.size(), 5U);
+  EXPECT_EQ(input.warnings, std::vector<std::string>{"3 entities are invisible: left out"});
 }
 
 TEST(ReadDxf, BadFilesAreRefused) {
