@@ -118,6 +118,8 @@ struct Input {
   /// Whether VoidRule::unseeded_faces may make a face void by mistake, which is told then. Holes of
   /// a mesh that is read as geometry are meant.
   bool seeds_may_miss = false;
+  /// What a drawing says of its unit where `unit` cannot be that, as "inches"; see units.hpp.
+  std::string other_unit{};
 };
 
 }  // namespace cover

@@ -424,14 +424,15 @@ class DxfConverter {
 };
 
 /// Notes what the drawing says of its unit.
-void set_unit(Input& input, int unit, const ReadOptions& options) {
+void set_unit(Input& input, int unit) {
   static const std::map<int, const char*> units{
-      {4, "mm"}, {5, "cm"}, {6, "m"}, {12, "nm"}, {13, "um"}};
-  if (const auto known = units.find(unit); known != units.end()) {
-    input.unit = known->second;
-  } else if (unit == 1 && options.unit.empty()) {
-    input.warnings.emplace_back("the drawing is in inches: --scale 25.4 --unit mm makes it mm");
-  }
+      {1, "inches"}, {2, "feet"},        {3, "miles"},          {4, "mm"},
+      {5, "cm"},     {6, "m"},           {7, "kilometres"},     {8, "microinches"},
+      {9, "mils"},   {10, "yards"},      {11, "angstroms"},     {12, "nm"},
+      {13, "um"},    {14, "decimetres"}, {21, "US survey feet"}};
+  const auto known = units.find(unit);
+  if (known == units.end()) return;
+  (is_length_unit(known->second) ? input.unit : input.other_unit) = known->second;
 }
 
 void tell_left_out(Input& input, const CheckedDxf& checked, const DxfDrawing& drawing) {
@@ -468,7 +469,7 @@ Result<Input> input_of_dxf(std::string_view text, const std::string& source,
   Result<Input> input = DxfConverter(*placed, *checked, source, options).run();
   if (!input) return input;
   tell_left_out(*input, *checked, *drawing);
-  set_unit(*input, checked->unit, options);
+  set_unit(*input, checked->unit);
   if (Status status = apply_units(*input, options); !status) return std::move(status).error();
   return input;
 }

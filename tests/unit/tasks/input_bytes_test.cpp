@@ -39,6 +39,7 @@ Input everything() {
   in.asked = {{"material_field", "use", true, "none has it"}};
   in.point_names = {{2, "well"}};
   in.seeds_may_miss = true;
+  in.other_unit = "inches";
   return in;
 }
 
@@ -64,6 +65,7 @@ TEST(InputBytes, AllThatAnInputHasComesBack) {
   EXPECT_EQ(back->point_names[0].point, 2U);
   EXPECT_EQ(back->point_names[0].name, "well");
   EXPECT_TRUE(back->seeds_may_miss);
+  EXPECT_EQ(back->other_unit, "inches");
   EXPECT_EQ(back->asked[0].missing, "none has it");
   // All other members, too: what is made of it has the same bytes.
   EXPECT_EQ(bytes_of_input(*back), bytes);

@@ -14,6 +14,7 @@
 #include <fmt/core.h>
 
 #include <cover/text.hpp>
+#include <cover/units.hpp>
 
 #include "base/faults/errors.hpp"
 #include "base/numbers.hpp"
@@ -56,7 +57,21 @@ Error differ(const Input& one, const Input& other, std::string_view what) {
 }
 
 std::string unit_in_words(const Input& input) {
-  return input.unit.empty() ? std::string("none") : input.unit;
+  if (!input.unit.empty()) return input.unit;
+  return input.other_unit.empty() ? std::string("none") : input.other_unit;
+}
+
+/// What to do about units that are not the same.
+std::string unit_advice(const Input& one, const Input& other) {
+  const bool other_is_scaled = is_length_unit(one.unit);
+  const Input& scaled = other_is_scaled ? other : one;
+  const std::string& unit = other_is_scaled ? one.unit : other.unit;
+  const std::optional<double> factor = factor_between(unit_in_words(scaled), unit);
+  if (!factor) return "the option unit gives all of them one";
+  return fmt::format(
+      "multiply the coordinates of {} by {:.10g} first, which makes them {}; the option unit takes "
+      "all numbers as they are",
+      scaled.source, *factor, unit);
 }
 
 /// Circles are numbered from 1.
@@ -142,11 +157,10 @@ bool is_told(const Input& input, const std::string& warning) {
 }
 
 Status join(Input& all, Input more, std::size_t file) {
-  if (all.unit != more.unit || all.scale != more.scale)
+  if (all.unit != more.unit || all.other_unit != more.other_unit || all.scale != more.scale)
     return differ(all, more,
-                  fmt::format("their units of length are not the same, {} and {}: the option unit "
-                              "gives all of them one",
-                              unit_in_words(all), unit_in_words(more)));
+                  fmt::format("their units of length are not the same, {} and {}: {}",
+                              unit_in_words(all), unit_in_words(more), unit_advice(all, more)));
   if (all.void_rule != more.void_rule && !all.segments.empty() && !more.segments.empty())
     return differ(all, more, "faces without a seed are void in one of them alone");
   if (all.field && more.field) return differ(all, more, "both have values beside their geometry");

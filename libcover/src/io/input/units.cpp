@@ -44,6 +44,51 @@ struct LengthUnit {
 constexpr std::array<LengthUnit, 5> kUnits{
     {{"nm", -9}, {"um", -6}, {"mm", -3}, {"cm", -2}, {"m", 0}}};
 
+/// Units of drawings that are none of ours, in metres, and one of ours that is near.
+struct OtherUnit {
+  std::string_view name;
+  double metres;
+  std::string_view near;
+};
+constexpr std::array<OtherUnit, 10> kOtherUnits{{{"inches", 0.0254, "mm"},
+                                                 {"feet", 0.3048, "m"},
+                                                 {"miles", 1609.344, "m"},
+                                                 {"kilometres", 1000, "m"},
+                                                 {"microinches", 2.54e-8, "nm"},
+                                                 {"mils", 2.54e-5, "um"},
+                                                 {"yards", 0.9144, "m"},
+                                                 {"angstroms", 1e-10, "nm"},
+                                                 {"decimetres", 0.1, "m"},
+                                                 {"US survey feet", 1200.0 / 3937, "m"}}};
+
+const OtherUnit* find_other(std::string_view name) {
+  const auto* const found = std::find_if(kOtherUnits.begin(), kOtherUnits.end(),
+                                         [&](const OtherUnit& u) { return u.name == name; });
+  return found != kOtherUnits.end() ? found : nullptr;
+}
+
+std::optional<double> metres_of(std::string_view name) {
+  if (const OtherUnit* const other = find_other(name)) return other->metres;
+  for (const LengthUnit& unit : kUnits)
+    if (unit.name == name) return std::pow(10, unit.ten);
+  return std::nullopt;
+}
+
+/// Tells what makes a drawing one in our units, unless options have seen to it.
+void tell_of_other_unit(Input& input, const ReadOptions& options) {
+  const OtherUnit* const other = find_other(input.other_unit);
+  if (other == nullptr || (!options.unit.empty() && options.scale != 1)) return;
+  const std::string unit = options.unit.empty() ? std::string(other->near) : options.unit;
+  const std::string scale =
+      fmt::format("--scale {:.10g}", factor_between(other->name, unit).value_or(1));
+  input.warnings.push_back(
+      options.unit.empty()
+          ? fmt::format("the drawing is in {}: {} --unit {} makes it {}", other->name, scale, unit,
+                        unit)
+          : fmt::format("the option unit says {}, and the drawing is in {}: {} makes it {}", unit,
+                        other->name, scale, unit));
+}
+
 /// The unit of numbers that were of `unit` before they became 10^ten times as large; empty: it has
 /// no name.
 std::string unit_after(std::string_view unit, std::optional<int> ten) {
@@ -60,6 +105,12 @@ std::string unit_after(std::string_view unit, std::optional<int> ten) {
 bool is_length_unit(std::string_view unit) {
   return std::any_of(kUnits.begin(), kUnits.end(),
                      [&](const LengthUnit& u) { return u.name == unit; });
+}
+
+std::optional<double> factor_between(std::string_view from, std::string_view to) {
+  const std::optional<double> of = metres_of(from), by = metres_of(to);
+  if (!of || !by) return std::nullopt;
+  return *of / *by;
 }
 
 Status scale_input(Input& input, double factor) {
@@ -118,6 +169,8 @@ Status scale_input(Input& input, double factor) {
 
 Status apply_units(Input& input, const ReadOptions& options) {
   const std::string before = input.unit;
+  tell_of_other_unit(input, options);
+  if (options.scale != 1 || !options.unit.empty()) input.other_unit.clear();
   if (options.scale != 1) {
     if (Status status = scale_input(input, options.scale); !status) return status;
   }

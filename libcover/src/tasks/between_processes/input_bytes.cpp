@@ -69,10 +69,11 @@ template <Either<Input> T>
 auto members(T& input) {
   auto& [source, unit, scale, warnings, points, point_ids, point_lines, point_markers, segments,
          holes, seeds, void_rule, polygons, lines, field, attributes, circles, periodic, layers,
-         changes, system, asked, point_names, seeds_may_miss] = input;
+         changes, system, asked, point_names, seeds_may_miss, other_unit] = input;
   return std::tie(source, unit, scale, warnings, points, point_ids, point_lines, point_markers,
                   segments, holes, seeds, void_rule, polygons, lines, field, attributes, circles,
-                  periodic, layers, changes, system, asked, point_names, seeds_may_miss);
+                  periodic, layers, changes, system, asked, point_names, seeds_may_miss,
+                  other_unit);
 }
 
 template <Either<ReadOptions> T>

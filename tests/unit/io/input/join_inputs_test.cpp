@@ -104,6 +104,31 @@ TEST(JoinInputs, RefusesWhatDoesNotGoTogether) {
   EXPECT_FALSE(join_inputs({metres, other}));
 }
 
+TEST(JoinInputs, UnitsThatDifferAreToldWithWhatMakesThemOne) {
+  Input one = square(0, "a", "x"), other = square(1, "b", "y");
+  const auto message = [&](const char* unit, const char* of_drawing) {
+    one.unit = "mm";
+    other.unit = unit;
+    other.other_unit = of_drawing;
+    const Result<Input> joined = join_inputs({one, other});
+    return joined ? std::string() : joined.error().message;
+  };
+  const std::string head =
+      "x and y cannot be taken together: their units of length are not the same, ";
+  EXPECT_EQ(message("", "inches"), head +
+                                       "mm and inches: multiply the coordinates of y by 25.4 "
+                                       "first, which makes them mm; the option unit takes all "
+                                       "numbers as they are");
+  EXPECT_NE(message("m", "").find("of y by 1000 first, which makes them mm;"), std::string::npos);
+  EXPECT_EQ(message("", ""), head + "mm and none: the option unit gives all of them one");
+  other.unit = "";
+  other.other_unit = "feet";
+  const Result<Input> joined = join_inputs({other, one});
+  ASSERT_FALSE(joined);
+  EXPECT_NE(joined.error().message.find("feet and mm: multiply the coordinates of y by 304.8 "),
+            std::string::npos);
+}
+
 TEST(JoinInputs, AttributesStayWithTheirFeatures) {
   Input one = square(0, "a", "x"), plain = square(1, "b", "y"), other = square(2, "c", "z");
   one.polygons[0].feature = other.polygons[0].feature = 1;

@@ -132,5 +132,32 @@ TEST(IsLengthUnit, KnowsFive) {
   EXPECT_FALSE(is_length_unit(""));
 }
 
+/// What an input in such a unit is warned of with these options, and its unit.
+std::pair<std::string, std::vector<std::string>> other_units(const char* other, double scale,
+                                                             const char* option) {
+  Input input;
+  input.other_unit = other;
+  ReadOptions options;
+  options.scale = scale;
+  options.unit = option;
+  EXPECT_TRUE(apply_units(input, options));
+  return {input.unit, input.warnings};
+}
+
+TEST(ApplyUnits, TellsWhatMakesUnitsOfDrawingsOurs) {
+  using Found = std::pair<std::string, std::vector<std::string>>;
+  EXPECT_EQ(other_units("inches", 1, ""),
+            Found("", {"the drawing is in inches: --scale 25.4 --unit mm makes it mm"}));
+  EXPECT_EQ(other_units("feet", 1, ""),
+            Found("", {"the drawing is in feet: --scale 0.3048 --unit m makes it m"}));
+  EXPECT_EQ(other_units("inches", 1, "cm"),
+            Found("cm", {"the option unit says cm, and the drawing is in inches: --scale 2.54 "
+                         "makes it cm"}));
+  EXPECT_EQ(other_units("mils", 1, "mm"),
+            Found("mm", {"the option unit says mm, and the drawing is in mils: --scale 0.0254 "
+                         "makes it mm"}));
+  EXPECT_EQ(other_units("inches", 25.4, "mm"), Found("mm", {}));
+}
+
 }  // namespace
 }  // namespace cover
