@@ -360,6 +360,7 @@ class DxfConverter {
   }
 
   void add_texts() {
+    input_.seeds_may_miss = !options_.label_layer.empty();
     for (const Placed<DxfText>& text : placed_.texts) {
       if (options_.label_layer.empty() || lower(*text.layer) != lower(options_.label_layer)) {
         ++other_texts_;

@@ -145,11 +145,12 @@ Result<SeededFaces> apply_seeds(const Pslg& pslg, const Faces& faces, std::vecto
   }
   SeededFaces out;
   out.is_void = find_void(pslg, faces, hole_faces, seed_faces);
-  if (pslg.seeds_may_miss) {
-    std::vector<bool> is_hole(faces.count, false);
-    for (const std::uint32_t f : hole_faces) is_hole[f] = true;
+  if (pslg.seeds_may_miss && !pslg.seeds.empty()) {
+    std::vector<bool> is_marked(faces.count, false);
+    for (const std::uint32_t f : hole_faces) is_marked[f] = true;
+    for (const std::uint32_t f : seed_faces) is_marked[f] = true;
     for (std::uint32_t f = kOutside + 1; f < faces.count; ++f)
-      if (out.is_void[f] && !is_hole[f]) out.missed.push_back(f);
+      if (!is_marked[f] && !faces.open[f]) out.missed.push_back(f);
   }
   out.seed.resize(faces.count);
   out.size.resize(faces.count);
@@ -187,7 +188,7 @@ Result<SeededFaces> apply_seeds(const Pslg& pslg, const Faces& faces, std::vecto
   return out;
 }
 
-void warn_of_missed_faces(std::vector<std::uint32_t> missed,
+void warn_of_missed_faces(std::vector<std::uint32_t> missed, bool are_void,
                           const std::vector<FaceMeasure>& measures, std::vector<Note>& notes) {
   std::erase_if(missed, [&](std::uint32_t f) { return !measures[f].inside; });
   if (missed.empty()) return;
@@ -197,11 +198,16 @@ void warn_of_missed_faces(std::vector<std::uint32_t> missed,
   });
   std::vector<Point> where;
   for (const std::uint32_t f : missed) where.push_back(*measures[f].inside);
-  std::string message = fmt::format(
-      "{} neither a region nor a hole given inside, {}at {}: left void; a region meshes it, a hole "
-      "says that it is meant",
-      counted(missed.size(), "closed face") + (missed.size() == 1 ? " has" : " have"),
-      missed.size() == 1 ? "" : "the largest ", describe(where.front()));
+  const bool is_one = missed.size() == 1;
+  const std::string faces = counted(missed.size(), "closed face") + (is_one ? " has" : " have");
+  const std::string place = (is_one ? "at " : "the largest at ") + describe(where.front());
+  std::string message =
+      are_void ? fmt::format(
+                     "{} neither a region nor a hole given inside, {}: left void; a region "
+                     "meshes it, a hole says that it is meant",
+                     faces, place)
+               : fmt::format("{} no label inside, {} with an area of {:.6g}: {} 'unnamed'", faces,
+                             place, measures[missed.front()].area, is_one ? "it is" : "they are");
   notes.push_back({Note::Kind::warning, kVoid, std::move(message), std::move(where)});
 }
 

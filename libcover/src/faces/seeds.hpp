@@ -20,7 +20,8 @@ struct SeededFaces {
   std::vector<bool> is_void;
   std::vector<std::optional<std::size_t>> seed;  ///< index into Pslg::seeds; the first of several
   std::vector<std::optional<double>> size;       ///< the smallest that a seed wishes
-  std::vector<std::uint32_t> missed;  ///< void for want of any seed; where Pslg::seeds_may_miss
+  /// Void, or regions without a name, for want of any seed; where Pslg::seeds_may_miss.
+  std::vector<std::uint32_t> missed;
 };
 
 /// Finds the faces of all seeds and decides which faces are void.
@@ -30,8 +31,9 @@ struct SeededFaces {
 /// Cost:   O(seeds * sqrt(n)) typically.
 Result<SeededFaces> apply_seeds(const Pslg& pslg, const Faces& faces, std::vector<Note>& notes);
 
-/// Tells of faces that may want a seed. Left out are those that are too thin for one.
-void warn_of_missed_faces(std::vector<std::uint32_t> missed,
+/// Tells of faces that may want a seed, which are all void or all regions. Left out are those that
+/// are too thin for one.
+void warn_of_missed_faces(std::vector<std::uint32_t> missed, bool are_void,
                           const std::vector<FaceMeasure>& measures, std::vector<Note>& notes);
 
 }  // namespace cover

@@ -123,7 +123,8 @@ class TableMaker {
         warn_of_sliver("a void", measures[f], notes);
       }
     }
-    warn_of_missed_faces(seeded_.missed, measures, notes);
+    const bool are_void = pslg_.void_rule == VoidRule::unseeded_faces;
+    warn_of_missed_faces(seeded_.missed, are_void, measures, notes);
   }
 
   /// What the features of the regions have.

@@ -331,6 +331,22 @@ TEST(ReadDxf, TextsOfTheLabelLayerNameRegions) {
   EXPECT_EQ(message(d.finish(), options), "a.dxf: no text is on the layer 'label'");
 }
 
+TEST(ReadDxf, FacesWithoutALabelAreTold) {
+  DxfWriter d;
+  d.begin_entities().circle("0", 0, 0, 2).circle("0", 5, 0, 1).circle("0", 10, 0, 1);
+  d.circle("0", 0, 0, 1).text("labels", 0, 0, "copper").text("labels", 5, 0, "void");
+  const std::string text = d.finish();
+  EXPECT_FALSE(testing::clean(read(text))->tells("closed face"));
+  ReadOptions options;
+  options.label_layer = "labels";
+  const auto out = testing::clean(read(text, options));
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->table.regions.size(), 3U);
+  EXPECT_TRUE(out->tells("2 closed faces have no label inside, the largest at ("));
+  EXPECT_TRUE(out->tells(") with an area of 9.4128"));  // 3 times that of 72 chords
+  EXPECT_TRUE(out->tells(": they are 'unnamed'"));
+}
+
 TEST(ReadDxf, TextsAreInTheCodePageOfTheDrawing) {
   DxfWriter d;
   d.group(0, "SECTION")
