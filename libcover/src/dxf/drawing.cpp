@@ -4,6 +4,7 @@
 #include <dxflib/dl_creationadapter.h>
 #include <dxflib/dl_dxf.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <numbers>
@@ -57,6 +58,7 @@ class Builder : public DL_CreationAdapter {
   void endBlock() override { finish(); }
 
   void addLine(const DL_LineData& d) override {
+    if (d.z1 != d.z2) ++drawing.in_space;
     add(BulgePolyline{{{{d.x1, d.y1}, 0}, {{d.x2, d.y2}, 0}}, false});
   }
   void addArc(const DL_ArcData& d) override {
@@ -93,16 +95,20 @@ class Builder : public DL_CreationAdapter {
     close_polyline();
     constexpr int kClosed = 1, kSpace = 8, kMesh = 16, kPolyface = 64;
     polyline_layer_ = attributes.getLayer();
-    polyline_side_ = side();
+    // As those of a line, points of a polyline in space are not turned with its extrusion.
+    const bool in_space = (d.flags & kSpace) != 0;
+    polyline_side_ = in_space ? 1 : side();
     polyline_ = BulgePolyline{{}, (d.flags & kClosed) != 0};
-    keep_polyline_ = (d.flags & (kSpace | kMesh | kPolyface)) == 0;
+    keep_polyline_ = (d.flags & (kMesh | kPolyface)) == 0;
     if (!keep_polyline_) ++drawing.meshes;
-    keep_polyline_ = keep_polyline_ && is_plane();
+    keep_polyline_ = keep_polyline_ && (in_space || is_plane());
     polyline_open_ = true;
+    heights_ = {};
   }
   void addVertex(const DL_VertexData& d) override {
-    if (polyline_open_)
-      polyline_.corners.push_back({{polyline_side_ * d.x, d.y}, polyline_side_ * d.bulge});
+    if (!polyline_open_) return;
+    polyline_.corners.push_back({{polyline_side_ * d.x, d.y}, polyline_side_ * d.bulge});
+    heights_.add(d.z);
   }
 
   void addSpline(const DL_SplineData& d) override {
@@ -112,13 +118,18 @@ class Builder : public DL_CreationAdapter {
     spline_.degree = d.degree > 0 ? static_cast<std::size_t>(d.degree) : 0;
     spline_.closed = (d.flags & 1) != 0;
     spline_open_ = true;
+    heights_ = {};
   }
   void addControlPoint(const DL_ControlPointData& d) override {
+    heights_.add(d.z);
     spline_.controls.push_back({d.x, d.y});
     spline_.weights.push_back(d.w > 0 ? d.w : 1);
   }
   void addKnot(const DL_KnotData& d) override { spline_.knots.push_back(d.k); }
-  void addFitPoint(const DL_FitPointData& d) override { spline_.fits.push_back({d.x, d.y}); }
+  void addFitPoint(const DL_FitPointData& d) override {
+    heights_.add(d.z);
+    spline_.fits.push_back({d.x, d.y});
+  }
 
   void addInsert(const DL_InsertData& d) override {
     if (!is_plane()) return;
@@ -181,14 +192,27 @@ class Builder : public DL_CreationAdapter {
   }
 
   void close_polyline() {
-    if (polyline_open_ && keep_polyline_ && polyline_.corners.size() > 1)
+    if (polyline_open_ && keep_polyline_ && polyline_.corners.size() > 1) {
+      if (heights_.differ()) ++drawing.in_space;
       block().curves.push_back({polyline_layer_, std::move(polyline_)});
+    }
     polyline_open_ = false;
   }
   void close_spline() {
+    if (spline_open_ && heights_.differ()) ++drawing.in_space;
     if (spline_open_) block().curves.push_back({spline_layer_, std::move(spline_)});
     spline_open_ = false;
   }
+
+  /// Between which z a curve runs.
+  struct Heights {
+    double low = kInfinity, high = -kInfinity;
+    void add(double z) {
+      low = std::min(low, z);
+      high = std::max(high, z);
+    }
+    [[nodiscard]] bool differ() const { return low < high; }
+  };
 
   DxfBlock* block_ = nullptr;  ///< nullptr: the model
   BulgePolyline polyline_;
@@ -198,6 +222,7 @@ class Builder : public DL_CreationAdapter {
   DxfSpline spline_;
   std::string spline_layer_;
   bool spline_open_ = false;
+  Heights heights_;  ///< of the polyline or spline that is open
   std::string chunks_;
   double direction_[3]{};
 };

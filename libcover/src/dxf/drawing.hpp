@@ -90,7 +90,8 @@ struct DxfDrawing {
   std::map<std::string, DxfBlock> blocks;
   std::size_t tilted = 0;          ///< entities that are not in the plane: left out
   std::size_t without_radius = 0;  ///< circles and arcs whose radius is not positive: left out
-  std::size_t meshes = 0;          ///< polylines that are surfaces or run through space: left out
+  std::size_t meshes = 0;          ///< polylines that are surfaces: left out
+  std::size_t in_space = 0;        ///< lines and curves whose z differs along them: it is dropped
 };
 
 /// Lets dxflib read the text.

@@ -452,7 +452,11 @@ void tell_left_out(Input& input, const CheckedDxf& checked, const DxfDrawing& dr
                                          counted(drawing.without_radius, "circle or arc")));
   if (drawing.meshes > 0)
     input.warnings.push_back(
-        fmt::format("{} polylines are surfaces or run through space: left out", drawing.meshes));
+        several(drawing.meshes, "polyline is a surface", "polylines are surfaces") + ": left out");
+  if (drawing.in_space > 0)
+    input.warnings.push_back(
+        several(drawing.in_space, "line or curve runs", "lines and curves run") +
+        " through space: z is dropped");
 }
 
 }  // namespace

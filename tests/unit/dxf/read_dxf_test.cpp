@@ -457,6 +457,27 @@ TEST(ReadDxf, WhatIsInsertedOnAFrozenLayerIsFrozen) {
   }
 }
 
+TEST(ReadDxf, OfWhatRunsThroughSpaceXAndYCount) {
+  DxfWriter d;
+  d.begin_entities().line("0", 0, 0, 4, 0).entity("POLYLINE", "0", {{66, 1}, {70, 8}, {230, -1}});
+  d.entity("VERTEX", "0", {{10, 4}, {20, 0}, {30, 1}, {70, 32}});
+  d.entity("VERTEX", "0", {{10, 4}, {20, 4}, {30, 2}, {70, 32}}).group(0, "SEQEND");
+  d.entity("LINE", "0", {{10, 4}, {20, 4}, {30, 0}, {11, 0}, {21, 0}, {31, 3}});
+  // At one height it is as plane as all else; a mesh is none.
+  d.entity("POLYLINE", "0", {{66, 1}, {70, 8}});
+  d.entity("VERTEX", "0", {{10, 2}, {20, 0}, {30, 7}, {70, 32}});
+  d.entity("VERTEX", "0", {{10, 4}, {20, 1}, {30, 7}, {70, 32}}).group(0, "SEQEND");
+  d.entity("POLYLINE", "0", {{66, 1}, {70, 16}});
+  d.entity("VERTEX", "0", {{10, 1}, {20, 0}, {70, 64}});
+  const Input input =
+      read(d.entity("VERTEX", "0", {{10, 3}, {20, 3}, {70, 64}}).group(0, "SEQEND").finish());
+  EXPECT_EQ(input.segments.size(), 4U);
+  EXPECT_DOUBLE_EQ(area_of(input), 8);
+  EXPECT_EQ(input.warnings,
+            (std::vector<std::string>{"1 polyline is a surface: left out",
+                                      "2 lines and curves run through space: z is dropped"}));
+}
+
 TEST(ReadDxf, InvisibleEntitiesAreLeftOut) {
   DxfWriter d;
   d.begin_blocks().begin_block("b").line("Frame", 0, 0, 9, 9).end_block().end_section();
