@@ -35,7 +35,8 @@ struct RegionSeed {
   std::optional<double> size;  ///< wished edge length, if the file gives one; > 0
   long id = 0;
   int line = 0;
-  std::uint32_t feature = 0;  ///< index into Input::attributes' values plus one; 0: none
+  std::uint32_t feature = 0;     ///< index into Input::attributes' values plus one; 0: none
+  std::string label_layer = {};  ///< on which the text stands that it is made of; empty: of none
 };
 
 /// A seed of the void.
@@ -43,6 +44,7 @@ struct HoleSeed {
   Point at;
   long id = 0;
   int line = 0;
+  std::string label_layer = {};  ///< as RegionSeed has it
 };
 
 /// A painted polygon of a soup. Rings are closed implicitly; inside is even-odd.

@@ -370,7 +370,7 @@ class DxfConverter {
       const std::string& words = text.thing->text;
       const auto id = static_cast<long>(input_.seeds.size() + input_.holes.size());
       if (lower(words) == "void") {
-        input_.holes.push_back({at, id, 0});
+        input_.holes.push_back({at, id, 0, *text.layer});
         continue;
       }
       const std::size_t slash = std::min(words.find('/'), words.size());
@@ -379,6 +379,7 @@ class DxfConverter {
       seed.material = words.substr(0, slash);
       if (slash < words.size()) seed.region = words.substr(slash + 1);
       seed.id = id;
+      seed.label_layer = *text.layer;
       if (!seed.material.empty() || !seed.region.empty()) input_.seeds.push_back(std::move(seed));
     }
     if (options_.label_layer.empty() || !input_.seeds.empty() || !input_.holes.empty()) return;

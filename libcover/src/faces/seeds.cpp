@@ -44,14 +44,20 @@ class FaceFinder {
   std::vector<bool> ends_segment_;
 };
 
-/// With the words that stand for it in a drawing, where its number is nowhere.
+/// A text of a drawing has no number there.
+std::string name_of_text(std::string_view words, const std::string& layer, Point at) {
+  return fmt::format("the text '{}' of layer {} at {}", words, layer, describe(at));
+}
+
 std::string name_of_seed(const RegionSeed& s) {
   std::string words = s.material;
   if (!s.region.empty()) words += "/" + s.region;
+  if (!s.label_layer.empty()) return name_of_text(words, s.label_layer, s.at);
   if (!words.empty()) words = " '" + words + "'";
   return fmt::format("region seed {}{} at {}{}", s.id, words, describe(s.at), line_suffix(s.line));
 }
 std::string name_of_seed(const HoleSeed& s) {
+  if (!s.label_layer.empty()) return name_of_text("void", s.label_layer, s.at);
   return fmt::format("hole seed {} at {}{}", s.id, describe(s.at), line_suffix(s.line));
 }
 

@@ -371,13 +371,18 @@ std::optional<Error> tell_open(const Pslg& pslg, std::span<const IndexPair> segm
   return std::nullopt;
 }
 
-/// What might mesh it after all.
-void tell_remedies(const Pslg& pslg, std::span<const IndexPair> segments, Error& error) {
+/// Gaps that keep outlines open.
+void tell_gaps(const Pslg& pslg, std::span<const IndexPair> segments, Error& error) {
   const double extent = box_of_ends(pslg, segments).extent();
   const std::vector<LooseGap> gaps = find_loose_gaps(pslg.points, segments, kNamedGap * extent);
   if (!gaps.empty())
     error.message +=
         fmt::format("; {}: {} closes such gaps", nearly_meet(pslg, gaps), weld_for(gaps, extent));
+}
+
+/// What might mesh it after all.
+void tell_remedies(const Pslg& pslg, std::span<const IndexPair> segments, Error& error) {
+  tell_gaps(pslg, segments, error);
   if (pslg.points.size() > 2) error.message += "; --hull meshes the convex hull around them";
 }
 
@@ -411,7 +416,11 @@ Result<TriangulatedTable> build_triangulated_table(const Pslg& pslg, const Optio
     return with_near_misses(std::move(error));
   }
   Result<SeededFaces> seeded = apply_seeds(pslg, faces, notes);
-  if (!seeded) return with_near_misses(seeded.error());
+  if (!seeded) {
+    Error error = seeded.error();
+    if (error.code == ErrorCode::seed_in_void) tell_gaps(pslg, pairs, error);
+    return with_near_misses(std::move(error));
+  }
   if (std::all_of(seeded->is_void.begin(), seeded->is_void.end(), [](bool v) { return v; })) {
     return nothing_enclosed(pslg, "the hole seeds leave no region");
   }

@@ -331,6 +331,27 @@ TEST(ReadDxf, TextsOfTheLabelLayerNameRegions) {
   EXPECT_EQ(message(d.finish(), options), "a.dxf: no text is on the layer 'label'");
 }
 
+TEST(ReadDxf, ALabelInAnOpenOutlineIsToldWithWhatClosesIt) {
+  DxfWriter d;
+  d.begin_entities().circle("0", 20, 5, 3).line("0", 0, 0, 10, 0).line("0", 10, 0, 10, 10);
+  d.line("0", 10, 10, 0, 10).line("0", 0, 10, 0, 5e-4);
+  d.text("Text", 5, 5, "Erde/unten").text("Text", 20, 5, "void").text("Text", 5, 0, "void");
+  ReadOptions options;
+  options.label_layer = "text";
+  Input input = read(d.finish(), options);
+  const auto on_line = testing::clean(input);
+  ASSERT_FALSE(on_line);
+  EXPECT_EQ(on_line.error().message,
+            "a.dxf: the text 'void' of layer Text at (5, 0) lies on a segment");
+  input.holes.pop_back();
+  const auto out = testing::clean(input);
+  ASSERT_FALSE(out);
+  EXPECT_EQ(out.error().message,
+            "a.dxf: the text 'Erde/unten' of layer Text at (5, 5) lies outside of all segments, or "
+            "what is around it is open; 2 ends of lines nearly meet another, the first at (0, 0), "
+            "0.0005 away: --weld 3e-05 closes such gaps");
+}
+
 TEST(ReadDxf, FacesWithoutALabelAreTold) {
   DxfWriter d;
   d.begin_entities().circle("0", 0, 0, 2).circle("0", 5, 0, 1).circle("0", 10, 0, 1);

@@ -22,8 +22,9 @@ Input everything() {
   in.point_lines = {1, 2, 3};
   in.point_markers = {0, 1, 0};
   in.segments = {{0, 1, 3, 12, 5, "gate", 1}, {1, 2, 0, 13, 6, "", 0}};
-  in.holes = {{{0.5, 0.5}, 4, 11}};
-  in.seeds = {{{0.25, 0.5}, "oxide", "left", 0.1, 5, 12, 1}, {{0.5, 0.25}, "", "", {}, 6, 13, 0}};
+  in.holes = {{{0.5, 0.5}, 4, 11, "labels"}};
+  in.seeds = {{{0.25, 0.5}, "oxide", "left", 0.1, 5, 12, 1},
+              {{0.5, 0.25}, "", "", {}, 6, 13, 0, "notes"}};
   in.void_rule = VoidRule::unseeded_faces;
   in.polygons = {{{{{0, 0}, {1, 0}, {0, 1}}, {}}, "silicon", "well", 2.5, 9, {}, {{1, 0, 0}}, 2}};
   in.lines = {{"contact", {{0, 0}, {1, 1}}, 3, {1, 0}}};
@@ -65,6 +66,9 @@ TEST(InputBytes, AllThatAnInputHasComesBack) {
   EXPECT_EQ(back->point_names[0].point, 2U);
   EXPECT_EQ(back->point_names[0].name, "well");
   EXPECT_TRUE(back->seeds_may_miss);
+  ASSERT_EQ(back->holes.size(), 1U);
+  EXPECT_EQ(back->holes[0].label_layer, "labels");
+  EXPECT_EQ(back->seeds[1].label_layer, "notes");
   EXPECT_EQ(back->other_unit, "inches");
   EXPECT_EQ(back->asked[0].missing, "none has it");
   // All other members, too: what is made of it has the same bytes.

@@ -402,6 +402,7 @@ class Flattener {
     seed.at = at;
     seed.region = text.text;
     seed.id = static_cast<long>(input_.seeds.size());
+    seed.label_layer = options_.label_layer;
     input_.seeds.push_back(std::move(seed));
   }
 

@@ -13,8 +13,14 @@ auto members(T& segment) {
 
 template <Either<RegionSeed> T>
 auto members(T& seed) {
-  auto& [at, material, region, size, id, line, feature] = seed;
-  return std::tie(at, material, region, size, id, line, feature);
+  auto& [at, material, region, size, id, line, feature, label_layer] = seed;
+  return std::tie(at, material, region, size, id, line, feature, label_layer);
+}
+
+template <Either<HoleSeed> T>
+auto members(T& hole) {
+  auto& [at, id, line, label_layer] = hole;
+  return std::tie(at, id, line, label_layer);
 }
 
 template <Either<InputPolygon> T>
