@@ -383,6 +383,14 @@ void take_figures(const py::tuple& from, Output& output) {
   }
 }
 
+/// Vertices that were points of the input, or put on its segments: the first of the mesh. The PSLG
+/// has points in the void, too.
+std::size_t first_vertices(const Output& output) {
+  std::size_t count = 0;
+  for (const auto v : output.mesh.tri().vertices()) count += output.mesh.input_id(v) >= 0 ? 1 : 0;
+  return count;
+}
+
 /// Of the points that segments have, those that were not in the input, where that is known.
 std::size_t cut_vertices(const Output& output) {
   const std::size_t uncut = output.report.input_points, all = output.pslg.points.size();
@@ -396,7 +404,7 @@ py::tuple pickled(const Output& output, const TriangleSoup& soup, const std::str
   return py::make_tuple(
       kPickleVersion, array_of(soup.points), array_of(soup.triangles), array_of(soup.region),
       array_of(soup.material), pickled_ids(output), pickled_regions(output.table),
-      pickled_interfaces(output.table), pickled_edges(output.mesh), output.pslg.points.size(),
+      pickled_interfaces(output.table), pickled_edges(output.mesh), first_vertices(output),
       output.report.unit, output.report.scale, report, pickled_attributes(output.table),
       pickled_fields(output), pickled_arcs(output), pickled_periodic(output),
       pickled_provenance(output.report.provenance), cut_vertices(output), pickled_figures(output),

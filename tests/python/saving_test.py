@@ -90,6 +90,15 @@ class Pickling(Case):
                 self.assertEqual(other.notes, mesh.notes, name)
                 self.assertEqual(self.manifest(other), self.manifest(mesh), name)
 
+    def test_points_in_the_void(self):
+        for options in {}, {'split_interfaces': True, 'size': .5}:
+            mesh = cover.mesh([*SQUARE, [50, 50], [60, 50]], RING, **options)
+            for other in pickle.loads(pickle.dumps(mesh)), copy.copy(mesh), copy.deepcopy(copy.deepcopy(mesh)):
+                self.assertEqual(other.input_id.tolist(), mesh.input_id.tolist())
+                self.assertEqual(other.points.tolist(), mesh.points.tolist())
+                self.assertEqual(other.notes, mesh.notes)
+                self.assertEqual(self.manifest(other), self.manifest(mesh))
+
     def test_what_was_read_has_no_figures_of_regions(self):
         cover.mesh(SQUARE, RING).save(self.dir / 'x.vtkhdf')
         mesh = cover.read(self.dir / 'x.vtkhdf')
