@@ -233,9 +233,10 @@ void define_mesh(py::module_& module) {
       .def_property_readonly(
           "material", [](const PyMesh& m) { return array_of(m.soup.material); },
           "By triangle: the number of its material; see materials.")
-      .def_property_readonly(
-          "input_id", &input_ids,
-          "By point: its index or number in the input; -1 for a vertex that the run put there.")
+      .def_property_readonly("input_id", &input_ids,
+                             "By point: its index or number in the input; -1 for a vertex that the "
+                             "run put there. Files "
+                             "keep no numbers: of a mesh that was read, its index in points.")
       .def_property_readonly(
           "lines", &lines_of,
           "By name of an interface, outline, contact or inner line: its pieces, dictionaries with "

@@ -327,7 +327,10 @@ class Rebuilder {
     const auto n = static_cast<std::ptrdiff_t>(std::max(input_vertices_, stored_.input_vertices));
     out_.pslg.points.assign(soup_.points.begin(), soup_.points.begin() + n);
     out_.pslg.point_markers.assign(out_.pslg.points.size(), 0);
-    for (long id = 0; id < n; ++id) out_.pslg.point_ids.push_back(id);
+    // The last of these were put on segments.
+    const auto cuts = static_cast<std::ptrdiff_t>(stored_.cut_vertices);
+    for (std::ptrdiff_t v = 0; v < n; ++v)
+      out_.pslg.point_ids.push_back(v < n - cuts ? static_cast<long>(v) : -1);
   }
 
   void set_vertices() {

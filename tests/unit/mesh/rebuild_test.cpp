@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace cover {
 namespace {
@@ -69,6 +70,15 @@ TEST(Rebuild, KeepsNodesOfCurvedEdges) {
   EXPECT_EQ(rebuild(stored).error().message, "the node between vertices 0 and 5 is on no edge");
   stored.nodes = {{0, 1, {0.5, std::numeric_limits<double>::infinity()}}};
   EXPECT_EQ(rebuild(stored).error().message, "the node between vertices 0 and 1 is nowhere");
+}
+
+TEST(Rebuild, VerticesPutOnSegmentsAreNoPointsOfTheInput) {
+  StoredMesh stored = two_squares();
+  stored.cut_vertices = 2;
+  const Result<Output> output = rebuild(stored);
+  ASSERT_TRUE(output) << output.error().message;
+  EXPECT_EQ(output->pslg.point_ids, (std::vector<long>{0, 1, 2, 3, -1, -1}));
+  EXPECT_EQ(output->report.input_points, 4u);
 }
 
 TEST(Rebuild, KeepsNamesAndMarkersOfEdges) {
