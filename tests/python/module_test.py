@@ -329,6 +329,37 @@ class Pickling(unittest.TestCase):
 
 
 class Reading(unittest.TestCase):
+    def test_arcs_and_pairs_of_sides_from_the_manifest(self):
+        mesh = cover.mesh_file(Values.DATA / 'fibre_cell.json')
+        with tempfile.TemporaryDirectory() as folder:
+            for order in 1, 2:
+                mesh.save(f'{folder}/m.vtkhdf', order=order)
+                mesh.save(f'{folder}/m.json', order=order)
+                again = cover.read(f'{folder}/m.vtkhdf')
+                self.assertEqual(*({frozenset(edge) for edge in m.arcs['edges'].tolist()} for m in (mesh, again)))
+                self.assertGreater(len(again.arcs['edges']), 0)
+                self.assertEqual([rule['vertices'].tolist() for rule in again.periodic],
+                                 [rule['vertices'].tolist() for rule in mesh.periodic])
+                self.assertEqual(again.regions, mesh.regions)
+            # The file does not need a manifest, so that of another mesh does no harm.
+            cover.mesh(SQUARE, SEGMENTS, REGIONS).save(f'{folder}/m.json')
+            again = cover.read(f'{folder}/m.vtkhdf')
+            self.assertEqual((again.regions, again.periodic), (mesh.regions, []))
+            self.assertRegex('; '.join(again.notes), 'arcs and periodic sides are left out: .*m.json: it is of another mesh')
+
+    def test_vertices_of_the_input(self):
+        mesh = cover.mesh(SQUARE, SEGMENTS, REGIONS, split_interfaces=True, size=.3)
+        self.assertGreater(mesh.report['mesh']['cut_vertices'], 0)
+        with tempfile.TemporaryDirectory() as folder:
+            for extension in 'vtm', 'vtkhdf', 'vtu', 'msh', 'ele':
+                (pathlib.Path(folder) / 'm.json').unlink(missing_ok=True)
+                mesh.save(f'{folder}/m.{extension}')
+                if extension not in ('vtm', 'vtkhdf'):
+                    mesh.save(f'{folder}/m.json')
+                again = cover.read(f'{folder}/m.{extension}')
+                self.assertEqual(again.input_id.tolist(), mesh.input_id.tolist(), extension)
+                self.assertEqual(pickle.loads(pickle.dumps(again)).input_id.tolist(), mesh.input_id.tolist())
+
     def test_what_was_written(self):
         mesh = cover.mesh(SQUARE, SEGMENTS, REGIONS, lines={'drain': [5]})
         with tempfile.TemporaryDirectory() as folder:

@@ -135,10 +135,35 @@ class Completion {
           {line.a, line.b, InterfaceId(static_cast<std::uint32_t>(line.group)), line.marker});
     }
     if (!take_materials(stored)) return wrong_file(path_, "it lacks regions");
+    take_curves_and_pairs(stored);
     tell(take_arrays(std::move(file.mesh.arrays), std::move(file.mesh.point_arrays), file.words,
                      stored));
     sort_by_region(stored.soup);
     return stored;
+  }
+
+  /// Arcs and periodic sides from the manifest. The file does not need one: that of another mesh is
+  /// told, and changes nothing.
+  void take_curves_and_pairs(StoredMesh& stored) {
+    StoredMesh told;
+    told.soup = std::move(stored.soup);
+    const std::vector<std::int64_t> material = told.soup.material;
+    const Result<bool> named = read_manifest(beside(".json"), {}, told);
+    stored.soup = std::move(told.soup);
+    stored.soup.material = material;
+    if (named && !*named) return;
+    const auto same = [](const StoredEdge& a, const StoredEdge& b) {
+      return a.a == b.a && a.b == b.b;
+    };
+    if (named && std::ranges::equal(told.edges, stored.edges, same)) {
+      stored.arcs = std::move(told.arcs);
+      stored.periodic = std::move(told.periodic);
+      return;
+    }
+    tell({fmt::format("arcs and periodic sides are left out: {}",
+                      named ? fmt::format("{}: it is of another mesh", beside(".json"))
+                            : named.error().message)});
+    has_periodic_points_ = false;
   }
 
   Result<StoredMesh> complete(MeshFile read) {
