@@ -598,6 +598,16 @@ class Running(unittest.TestCase):
             cover.mesh(self.POINTS, self.RING, progress=lambda *_: False)
         self.assertEqual(caught.exception.code, 300)
 
+    def test_cancel_within_a_region(self):
+        calls = []
+
+        def progress(stage, done, total):
+            calls.append((stage, done, total))
+            return calls.count(('mesh', 0, total)) < 2 or not total
+        with self.assertRaises(cover.Cancelled):
+            cover.mesh(SQUARE, SEGMENTS[:6], split_interfaces=True, size=.002, progress=progress)
+        self.assertEqual(calls[-1], calls[-2])
+
     def test_cancel_by_numpy(self):
         with self.assertRaises(cover.Cancelled):
             cover.mesh(self.POINTS, self.RING, progress=lambda *_: np.float64(1) < 0.5)

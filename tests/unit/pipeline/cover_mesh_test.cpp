@@ -358,6 +358,24 @@ TEST(CoverMesh, ReportsProgressFromOneThreadAtATime) {
   EXPECT_EQ(last["mesh"].done, last["mesh"].total);
 }
 
+TEST(CoverMesh, TellsOfProgressWithinALargeRegionSoThatItCanBeStopped) {
+  Input input = testing::checker(1, 2, 1);
+  Options options;
+  options.split_interfaces = Angle::degrees(90);
+  options.sizes = {{"", 1e-3}};
+  std::stop_source stop;
+  Callbacks callbacks;
+  callbacks.stop = stop.get_token();
+  int begun = 0;
+  callbacks.progress = [&](const Progress& p) {
+    if (p.stage == "mesh" && p.total > 0 && p.done == 0 && ++begun == 2) stop.request_stop();
+  };
+  const Result<Output> output = cover_mesh(input, options, callbacks);
+  ASSERT_FALSE(output);
+  EXPECT_EQ(output.error().code, ErrorCode::cancelled);
+  EXPECT_EQ(begun, 2);
+}
+
 TEST(CoverMesh, WhatTheProgressFunctionThrowsReachesTheCaller) {
   const Input input = testing::checker(12, 6, 16);
   Options options;
