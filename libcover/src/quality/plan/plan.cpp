@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "options/intent.hpp"
 #include "quality/effort/effort.hpp"
@@ -82,6 +83,13 @@ bool may_have_much_room(const PlanProgress& p) {
          (is_star_taken(p) && points > effort::kPointsOfOneRoom);
 }
 
+/// A large angle is left to the plain triangulation, for whatever was tried came to negative
+/// couplings. Beyond the bound almonds are better.
+bool is_plain_and_above(const PlanProgress& p) {
+  return has_couplings(p) && may_have_room(p) && p.best.merit.above > 0 && !is_beyond_bound(p) &&
+         p.best.mesh->points.size() == p.cdt.mesh->points.size();
+}
+
 void take(PlanProgress& p, Candidate other) {
   p.make.ranking().take_if_better(p.best, std::move(other));
 }
@@ -143,6 +151,21 @@ void with_fewer_far(PlanProgress& p) {
   p.best = p.make.narrowed(p.best, p.refined, kFarAbove, effort::kNarrowedToFewerFar);
 }
 void restarted(PlanProgress& p) { take(p, p.make.restarted(p.best)); }
+/// Where sides force small angles all over, vertices that were to mend these stood in the way. One
+/// more small angle beside worse ones is no reason to keep a large one then.
+void searched_for_large(PlanProgress& p) {
+  const Goal& goal = p.make.goal();
+  Candidate found =
+      p.make.searched(p.best, goal.with(goal.large, goal.small, 0), effort::kSearchForLarge);
+  const Merit &was = p.best.merit, &is = found.merit;
+  if (is.large > was.large) return;
+  if (is.above < was.above && is.negative == 0 && is.fault.worst() <= was.fault.worst() &&
+      is.small <= was.small) {
+    p.best = std::move(found);
+  } else {
+    take(p, std::move(found));
+  }
+}
 void improved(PlanProgress& p) { take(p, p.make.improved(p.best)); }
 void evenly_refined(PlanProgress& p) {
   const std::optional<Candidate> even = p.make.evenly_refined(p.cdt);
@@ -215,6 +238,7 @@ constexpr std::array kRefinedOnes{
     Step{"best and cdt, improved", few_are_missed, improved_again, StopWhen::complete},
     Step{"refined, improved, searched", nearly_none_is_missed, refined_and_searched_again,
          StopWhen::complete},
+    Step{"cdt, large angles searched", is_plain_and_above, searched_for_large, StopWhen::complete},
     kFewerFar,
     kAlmonds,
 };

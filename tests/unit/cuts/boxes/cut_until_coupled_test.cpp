@@ -78,5 +78,24 @@ TEST(CutUntilCoupled, AHalfDiscIsCutForItsAngles) {
   EXPECT_EQ(note->where.size(), output.report.box_cuts.size());
 }
 
+/// Thin plates in air, whose cuts are at exact feet. Triangles beside the lower one have small
+/// angles, which the sides force; no angle above the upper one has to be large.
+TEST(CutUntilCoupled, LargeAnglesAreMendedBesideSmallOnesThatAreForced) {
+  for (const double half_width : {2.0, 3.0}) {
+    Input input;
+    input.polygons.resize(3);
+    input.polygons[0].rings = {{{-28, 0}, {28, 0}, {28, 50}, {-28, 50}}};
+    input.polygons[1].rings = {{{-27.95, 0.1}, {27.95, 0.1}, {27.95, 0.2}, {-27.95, 0.2}}};
+    input.polygons[2].rings = {
+        {{-half_width, 0.8}, {half_width, 0.8}, {half_width, 0.9}, {-half_width, 0.9}}};
+    const Output output = testing::must_mesh(input, for_boxes());
+    EXPECT_TRUE(negative(output).empty());
+    EXPECT_EQ(testing::violations(output), "");
+    const Quality& quality = output.report.quality;
+    EXPECT_LE(quality.largest_nu.supplement().in_degrees(), 100);
+    EXPECT_LT(quality.smallest.in_degrees(), 1) << "none is forced: take thinner plates";
+  }
+}
+
 }  // namespace
 }  // namespace cover
