@@ -15,11 +15,11 @@
 #include "geom/foot.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
+#include "method/boundaries_with_wishes.hpp"
 #include "quality/effort/effort.hpp"
 #include "quality/fault/keep_rules.hpp"
 #include "quality/fault/merit.hpp"
 #include "quality/repair/kicks.hpp"
-#include "region/region_graph.hpp"
 
 namespace cover {
 namespace {
@@ -210,12 +210,17 @@ class CutSearch {
 
 }  // namespace
 
-CutResult cut_and_improve(Work& work, JoinedRegions& joined, Budget& budget) {
+Result<CutResult> cut_and_improve(Work& work, JoinedRegions& joined, const Options& options,
+                                  Budget& budget) {
   CutResult result = CutSearch(joined).run(budget);
   if (!joined.has_changed() || !joined.is_valid()) return result;
   Work cut = work;
   cut_segments(cut.pslg, cut.table, joined.segment_cuts(work.pslg));
-  cut.boundaries = split_regions(cut.pslg, cut.table);
+  // What comes after looks at the sizes.
+  Result<std::vector<RegionBoundary>> boundaries =
+      boundaries_with_wishes(cut.pslg, cut.table, options);
+  if (!boundaries) return std::move(boundaries).error();
+  cut.boundaries = *std::move(boundaries);
   joined.separate(cut.pslg, cut.boundaries, cut.meshes);
   if (!is_sound(cut)) return result;
   work = std::move(cut);

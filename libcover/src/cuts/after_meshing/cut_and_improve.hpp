@@ -3,6 +3,9 @@
 
 #include <cstddef>
 
+#include <cover/options.hpp>
+#include <cover/result.hpp>
+
 #include "cuts/after_meshing/joined_regions.hpp"
 #include "cuts/work.hpp"
 #include "quality/effort/budget.hpp"
@@ -20,15 +23,17 @@ struct CutResult {
 /// over segments too, and by cutting segments there: what `split_interfaces`, which sees no mesh,
 /// cannot foresee.
 ///
-/// REQUIRES: no hull sides; `joined` is made of `work`, for the angles of the options
-/// ENSURES:  `work` stays in step, but for the reports of its meshes; no more triangles are above
-///           the target, and the largest angle grows at most among those that count as alike
-///           (merit.hpp); at most as many points are added as there were. `joined` is of `work`
-///           still unless it has_changed()
+/// REQUIRES: no hull sides; `joined` is made of `work`, for the angles of `options`
+/// ENSURES:  `work` stays in step, but for the reports of its meshes; its boundaries keep what is
+///           wished of them; no more triangles are above the target, and the largest angle grows at
+///           most among those that count as alike (merit.hpp); at most as many points are added as
+///           there were. `joined` is of `work` still unless it has_changed()
+/// Errors:   those of boundaries_with_wishes(); `work` is as it was then
 /// Cost:     O(n log n), and some milliseconds for each triangle that is left, until `budget` is
 ///           used up or, after the first 15 million evaluations, 150,000 mend none on average (one
 ///           takes 40,000 on maps and Voronoi cells, 400,000 where layers are too thin for any
 ///           mesh)
-CutResult cut_and_improve(Work& work, JoinedRegions& joined, Budget& budget);
+Result<CutResult> cut_and_improve(Work& work, JoinedRegions& joined, const Options& options,
+                                  Budget& budget);
 
 }  // namespace cover

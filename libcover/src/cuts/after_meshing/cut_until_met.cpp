@@ -108,12 +108,14 @@ class Rounds {
 
   /// Works on the triangles above the target if they are few; counts them.
   Status improve(Trial& trial) {
-    return errors_as_values("cut and improve", [&] {
+    return errors_as_values("cut and improve", [&]() -> Status {
       trial.joined = joined(trial.work);
       trial.left = {trial.joined->triangles_above().size()};
       if (trial.left.above > 0 && kMany * trial.left.above <= trial.work.pslg.points.size()) {
         Budget part = budget_.share(2);
-        trial.left = cut_and_improve(trial.work, *trial.joined, part);
+        const Result<CutResult> left = cut_and_improve(trial.work, *trial.joined, options_, part);
+        if (!left) return left.error();
+        trial.left = *left;
         if (trial.joined->has_changed()) trial.joined.reset();
         budget_.take_back(part);
         // What is there for searches that mend is not there for others.

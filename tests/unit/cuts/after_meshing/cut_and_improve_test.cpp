@@ -1,10 +1,14 @@
 #include "cuts/after_meshing/cut_and_improve.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include <cover/cover_mesh.hpp>
 #include <cover/verify.hpp>
 
+#include "geom/vector.hpp"
 #include "support/inputs/inputs.hpp"
 #include "without_obtuse.hpp"
 
@@ -36,6 +40,24 @@ TEST(CutAndImprove, LeavesNoObtuseTriangleInADeviceOfRectangles) {
     for (const Note& note : region.notes) {
       EXPECT_EQ(note.message.find("above 90"), std::string::npos) << note.message;
     }
+  }
+}
+
+/// The mesh that comes after sees the sizes asked for, and takes no vertices away (thin_cuts).
+TEST(CutAndImprove, KeepsTheSizesAskedFor) {
+  for (const double size : {2.0, 0.7}) {
+    Options options = no_obtuse_angle();
+    options.sizes = {{"", size, false}};
+    const Output output = mesh_of(layers(), options);
+    const TriangleSoup soup = triangle_soup(output.mesh);
+    double longest = 0;
+    for (const auto& [a, b, c] : soup.triangles) {
+      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+        longest = std::max(longest, length(soup.points[to] - soup.points[from]));
+    }
+    EXPECT_LT(longest, 2 * size);
+    for (const Note& note : output.report.notes)
+      EXPECT_EQ(note.message.find("taken away"), std::string::npos) << note.message;
   }
 }
 
