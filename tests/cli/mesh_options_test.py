@@ -297,6 +297,18 @@ class Sizes(Case):
         command = ('mesh', nmos, '--size-field', nmos, '--size-of', 'asinh(Net/1e17)', '-o', 'd.vtu')
         self.assertNotIn('the size field', self.run_cover(*command)[1])
 
+    def test_sizes_hold_beside_a_thin_layer(self):
+        """Cuts of its walls face each other, beside those for the size: short pieces beside long ones."""
+        upper, lower = [[0, 20.2], [25, 18.2], [60, 10.2]], [[0, 20], [25, 18], [60, 10]]
+        rings = {'rock': [[0, 0], [60, 0], *lower[::-1]], 'weak': [*lower, *upper[::-1]], 'clay': [*upper, [60, 35], [0, 40]]}
+        self.write('s.json', json.dumps({'polygons': [{'material': name, 'rings': [ring]} for name, ring in rings.items()]}))
+        for size in (5, 4):
+            _, err = self.run_cover('mesh', 's.json', '-o', 'd.vtu', '--report', 'd.json', '--split-interfaces', '--size', size)
+            self.assertNotIn('do not count', err)
+            report = json.loads((self.dir / 'd.json').read_text())
+            self.assertLess(max(region['largest_angle'] for region in report['regions']), 100)
+            self.assertTrue(all(region['bound_held'] for region in report['regions']))
+
     def test_sizes_of_the_same_file_are_scaled_with_it(self):
         self.write('nmos.tif', (SAMPLES / 'nmos.tif').read_text())
         command = ('mesh', SAMPLES / 'nmos.tif', '--size-of', 'asinh(Net/1e17)', '-o', 'd.vtu')

@@ -69,9 +69,14 @@ inline constexpr std::uint64_t kSearchForOwn = 100'000, kSearchForFar = 5'000;
 
 /// Targets for the smallest angle, in parts of the goal's, with which angles above 120 degrees or
 /// the bound are narrowed, in turn. Coarser steps leave the smallest angles smaller than need be.
-inline constexpr std::array<double, 10> kSmallestParts{0.75, 0.6,  0.45, 0.36, 0.285,
-                                                       0.22, 0.16, 0.11, 0.06, 0.018};
+inline constexpr std::array kSmallestParts{0.75, 0.6, 0.45, 0.36, 0.285};
+/// Then, for the bound alone and where sizes would be given up else, those of degenerate angles:
+/// 4.4 to 0.36 degrees where 20 are asked for.
+inline constexpr std::array kDegenerateParts{0.22, 0.16, 0.11, 0.06, 0.018};
 inline constexpr double kAimBelowLimit = 0.008;  ///< aimed at below these, in cotangents
+/// So far below the bound couplings leave angles then, in cotangents: what sums of cotangents lack
+/// below zero counts a fiftieth of what is beyond it (kCouplingFirst, kBoundFirst).
+inline constexpr double kCouplingsBelowBound = 0.05;
 /// Star evaluations for that at most, for the bound and for fewer angles above 120 degrees. With
 /// 100 Voronoi cells end with as many of these, for 2 % more instructions; with 50 for the bound
 /// more sides are left to be mended afterwards, which takes longer.

@@ -68,8 +68,9 @@ std::vector<double> mean_edges(const RegionBoundary& boundary, const RegionMesh&
 std::optional<Note> missed_sizes(const RegionBoundary& boundary, const RegionMesh& mesh) {
   if (mesh.report.method.starts_with("almond"))
     return warning(boundary,
-                   "the sizes asked for do not count here: no mesh refined to them holds the "
-                   "proven bound, and the almond method, which does, knows no sizes",
+                   "the sizes asked for do not count here: of the meshes refined to them that were "
+                   "tried none holds the proven bound, and the almond method, which does, knows no "
+                   "sizes",
                    {});
   if (boundary.size_at.empty()) return std::nullopt;
   const std::vector<double> mean = mean_edges(boundary, mesh, vertices_to_ask(boundary));

@@ -11,6 +11,7 @@
 #include "cdt/sides.hpp"
 #include "cdt/triangulation.hpp"
 #include "geom/cotangent.hpp"
+#include "geom/vector.hpp"
 #include "options/intent.hpp"
 #include "quality/effort/effort.hpp"
 #include "quality/fault/extreme_angles.hpp"
@@ -27,6 +28,8 @@
 
 namespace cover {
 namespace {
+
+constexpr double kTwice = 2;  ///< as long as asked are the longest edges of refined meshes
 
 LocalFrame frame_of(const RegionBoundary& boundary, bool shifted) {
   LocalFrame frame(boundary.points);
@@ -88,6 +91,22 @@ SizeFunction Candidates::background_in_frame() const {
   return [field = std::move(field), frame = &frame_](Point p) {
     return ask_size(field, frame->restore(p));
   };
+}
+
+bool Candidates::keeps_sizes(const Candidate& candidate) const {
+  if (options_.growth || !boundary_.size_at.empty()) return false;
+  const MutableMesh& mesh = *candidate.mesh;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (mesh.is_hole(t)) continue;
+    for (const Corner i : kCorners) {
+      const std::uint32_t n = mesh.triangles[t].n[i];
+      if (is_side(n) || n < t) continue;
+      const Point a = mesh.corner(t, i.next()), b = mesh.corner(t, i.previous());
+      for (const Point p : {a, midpoint(a, b), b})
+        if (length(b - a) > kTwice * sizes_.largest_at(p)) return false;
+    }
+  }
+  return true;
 }
 
 bool Candidates::is_budget_used_up() const {
@@ -176,14 +195,14 @@ Candidate Candidates::giving_way(Candidate c) const {
 }
 
 Candidate Candidates::narrowed(const Candidate& best, const Candidate& from, double large,
-                               std::uint64_t each) {
+                               std::uint64_t each, std::span<const double> parts) {
   Candidate found = best;
   const double smallest = angle_of_cot(goal_.small);
   Candidate trial = from;
   bool is_better = false;
   budget_.within(each * from.merit.triangles, [&] {
-    for (const double part : effort::kSmallestParts) {
-      if (1 - part > ranking_.order().degenerate || budget_.is_used_up()) break;
+    for (const double part : parts) {
+      if (budget_.is_used_up()) break;
       Goal aim = goal_.with(std::max(goal_.large, large - effort::kAimBelowLimit), goal_.small,
                             goal_.weight);
       if (goal_.weight > 0) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <utility>
@@ -12,6 +13,7 @@
 
 #include "cdt/triangulation.hpp"
 #include "limits/region_proof.hpp"
+#include "quality/effort/effort.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
 #include "quality/plan/candidate.hpp"
 #include "quality/plan/optimise.hpp"
@@ -44,6 +46,9 @@ class Candidates {
   [[nodiscard]] const AngleLimit& limit() const { return limit_; }
   [[nodiscard]] bool is_rest() const { return boundary_.is_rest; }
   [[nodiscard]] bool has_sizes() const { return sizes_.is_active(); }
+  /// Whether no edge inside is more than twice as long as asked, as in refined meshes; false where
+  /// points have sizes of their own, or edges are to grow.
+  [[nodiscard]] bool keeps_sizes(const Candidate& candidate) const;
   /// At most 16 points: random restarts then find what there is.
   [[nodiscard]] bool is_tiny() const { return boundary_.points.size() <= kTinyRegion; }
   [[nodiscard]] bool must_stop() const { return budget_.stop.stop_requested(); }
@@ -63,6 +68,12 @@ class Candidates {
   [[nodiscard]] Goal goal_for(Angle max, Angle min) const {
     Goal goal = Goal::of(max, min);
     goal.coupling = goal_.coupling;
+    return goal;
+  }
+  /// The goal with couplings that keep angles farther below the bound: they would end just above.
+  [[nodiscard]] Goal goal_below_bound() const {
+    Goal goal = goal_;
+    goal.coupling.bound -= effort::kCouplingsBelowBound;
     return goal;
   }
   /// The goal with the region's own target: the largest angle of the goal, or what its worst side
@@ -93,10 +104,11 @@ class Candidates {
   /// Without the vertices inside that make couplings of sides negative.
   [[nodiscard]] Candidate giving_way(Candidate c) const;
   /// What becomes of `from` when its angles above -cot `large` are narrowed at the price of small
-  /// angles, as little of them as leads there; or `best` if that is better.
-  /// Takes `each` star evaluations for a triangle at most.
+  /// angles, as little of them as leads there, of `parts` of the goal's; or `best` if that is
+  /// better. Takes `each` star evaluations for a triangle at most.
   [[nodiscard]] Candidate narrowed(const Candidate& best, const Candidate& from, double large,
-                                   std::uint64_t each);
+                                   std::uint64_t each,
+                                   std::span<const double> parts = effort::kSmallestParts);
   /// The best of random restarts.
   [[nodiscard]] Candidate restarted_within(const Candidate& from, std::uint64_t evaluations) const;
   /// The best of random restarts; where that misses the target for the largest angle, what a

@@ -53,6 +53,8 @@ bool nearly_none_is_missed(const PlanProgress& p) {
          p.cdt.mesh->is_unforced() && few_are_missed(p);
 }
 bool is_beyond_bound(const PlanProgress& p) { return !p.make.ranking().is_within_bound(p.best); }
+/// Only almonds hold it then, which know no sizes; the rest beside layers gets none.
+bool would_give_sizes_up(const PlanProgress& p) { return is_beyond_bound(p) && !p.make.is_rest(); }
 bool refined_is_beyond_bound(const PlanProgress& p) {
   return !p.make.ranking().is_within_bound(p.refined);
 }
@@ -142,11 +144,38 @@ void sized(PlanProgress& p) { p.best = p.refined = p.make.optimised(p.cdt, Searc
 void sized_and_searched(PlanProgress& p) {
   p.best = p.refined = p.make.optimised(p.cdt, SearchAfter::few);
 }
-void sized_and_searched_all(PlanProgress& p) { p.best = p.make.optimised(p.cdt, SearchAfter::all); }
+void sized_and_searched_all(PlanProgress& p) {
+  p.best = p.refined = p.make.optimised(p.cdt, SearchAfter::all);
+}
 Candidate narrowed_to_bound(const PlanProgress& p, const Candidate& from) {
   return p.make.narrowed(p.best, from, p.make.ranking().order().bound, effort::kNarrowedToBound);
 }
 void within_bound(PlanProgress& p) { p.best = narrowed_to_bound(p, p.refined); }
+/// What couplings and small angles pay before sizes are given up; the best as it is if that does
+/// not lead within the bound.
+Candidate at_any_price(const PlanProgress& p) {
+  Ranking& ranking = p.make.ranking();
+  Order order = ranking.order();
+  order.degenerate = 1;  // none counts before the angles above 120 degrees
+  ranking.set_order(order);
+  const double bound = order.bound;
+  const auto narrow = [&](Candidate found, std::span<const double> parts) {
+    if (ranking.is_within_bound(found)) return found;
+    return p.make.narrowed(found, p.refined, bound, effort::kNarrowedToBound, parts);
+  };
+  Candidate found = p.best;
+  if (has_couplings(p)) found = narrow(std::move(found), effort::kSmallestParts);
+  found = narrow(std::move(found), effort::kDegenerateParts);
+  if (!ranking.is_within_bound(found)) return p.best;
+  ranking.take_if_better(found, p.make.improved(found));  // the bound was all that it aimed at
+  return found;
+}
+void within_bound_before_sizes(PlanProgress& p) {
+  if (p.make.ranking().is_within_bound(p.cdt) && p.make.keeps_sizes(p.cdt))
+    p.best = p.make.improved(p.cdt);
+  else
+    p.best = p.make.with_goal(p.make.goal_below_bound(), [&] { return at_any_price(p); });
+}
 void with_fewer_far(PlanProgress& p) {
   p.best = p.make.narrowed(p.best, p.refined, kFarAbove, effort::kNarrowedToFewerFar);
 }
@@ -277,12 +306,12 @@ constexpr std::array kLargest{
 
 // With wished sizes the refined one takes the place of the plain one, whatever it misses.
 constexpr Step kSizedPlain{"cdt", always, as_it_is};
+constexpr Step kSizedWithinBound{"the same within the bound at any price", would_give_sizes_up,
+                                 within_bound_before_sizes};
 constexpr Step kSizedAlmonds{"almonds, improved", is_beyond_bound, bound_kept_sized};
 
 constexpr std::array kSizedFast{
-    kSizedPlain,
-    Step{"refined, improved", always, sized},
-    kWithinBound,
+    kSizedPlain,   Step{"refined, improved", always, sized}, kWithinBound, kSizedWithinBound,
     kSizedAlmonds,
 };
 
@@ -290,6 +319,7 @@ constexpr std::array kSized{
     kSizedPlain,
     Step{"refined, improved, few searched", always, sized_and_searched, StopWhen::complete},
     kWithinBound,
+    kSizedWithinBound,
     kFewerFar,
     kSizedAlmonds,
 };
@@ -308,6 +338,8 @@ constexpr std::array kSizedLargest{
     kSizedPlain,
     Step{"refined, improved, searched", always, sized_and_searched_all},
     Step{"best, improved", is_missed_by_largest, improved},
+    Step{"the same within the bound", would_give_sizes_up, within_bound},
+    kSizedWithinBound,
     kSizedAlmonds,
 };
 

@@ -38,6 +38,35 @@ TEST(MissedSizes, SizesThatAreKeptAndThoseOfLongSidesAreNot) {
   EXPECT_TRUE(quality_region(square, Options{}, {}).mesh.report.notes.empty());
 }
 
+/// A rectangle with sides 5 long. On one wall each is followed by one of 0.009, as where the wall
+/// opposite has feet of its own.
+RegionBoundary rectangle_with_feet_on_a_wall(int sides, double height) {
+  std::vector<Point> loop;
+  for (int k = 0; k < sides; ++k) loop.push_back({5.0 * k, 0});
+  for (double y = 0; y < height; y += 5) loop.push_back({5.0 * sides, y});
+  for (int k = sides; k > 0; --k) {
+    if (k < sides) loop.push_back({5.0 * k + 0.009, height});
+    loop.push_back({5.0 * k, height});
+  }
+  for (double y = height; y > 0; y -= 5) loop.push_back({0, y});
+  return boundary_of({loop});
+}
+
+TEST(MissedSizes, SmallAnglesArePaidBeforeSizes) {
+  for (const Effort effort : {Effort::fast, Effort::normal, Effort::thorough}) {
+    for (const Prefer prefer : {Prefer::balanced, Prefer::largest}) {
+      Options options;
+      options.effort = effort;
+      options.prefer = prefer;
+      RegionBoundary rectangle = rectangle_with_feet_on_a_wall(8, 20);
+      rectangle.size = 4;
+      const RegionMesh mesh = quality_region(rectangle, options, {}).mesh;
+      EXPECT_TRUE(mesh.report.method.starts_with("refined")) << mesh.report.method;
+      EXPECT_FALSE(missed_sizes(rectangle, mesh));
+    }
+  }
+}
+
 TEST(MissedSizes, MeshesOfTheAlmondMethodAreTold) {
   RegionMesh mesh = quality_region(square_with_size(60), Options{}, {}).mesh;
   EXPECT_FALSE(missed_sizes(square_with_size(60), mesh));
