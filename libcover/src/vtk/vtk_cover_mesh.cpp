@@ -25,6 +25,8 @@
 #include <cover/cover_mesh.hpp>
 #include <cover/mesh.hpp>
 #include <cover/option_table.hpp>
+#include <cover/read_size_field.hpp>
+#include <cover/requirements.hpp>
 #include <cover/verify.hpp>
 
 struct vtkCoverMesh::Settings {
@@ -237,6 +239,14 @@ void write_lines(const Output& output, double z, vtkPolyData& to) {
       "LineName", output.table.interfaces, [](const Interface& line) { return line.name; }, to);
 }
 
+/// The requirements that a mesh misses, as an error.
+Status check_requirements(const Output& output, const Options& options) {
+  std::string words;
+  for (const std::string& requirement : unmet_requirements(output, options))
+    words += (words.empty() ? "the mesh does not meet " : "; ") + requirement;
+  return words.empty() ? ok() : Status(wrong(std::move(words), ErrorCode::requirement_not_met));
+}
+
 }  // namespace
 }  // namespace cover
 
@@ -291,10 +301,12 @@ int vtkCoverMesh::RequestData(vtkInformation*, vtkInformationVector** inputs,
     vtkErrorMacro(<< error.message);
     return 0;
   };
-  const cover::Result<cover::Options> options = settings_->options.result();
+  cover::Result<cover::Options> options = settings_->options.result();
   if (!options) return failed(options.error());
   cover::Result<cover::Input> geometry = reader.read();
   if (!geometry) return failed(geometry.error());
+  if (const cover::Status loaded = cover::load_size_field(*options, *geometry); !loaded)
+    return failed(loaded.error());
   std::stop_source stop;
   cover::Callbacks callbacks;
   callbacks.stop = stop.get_token();
@@ -307,6 +319,8 @@ int vtkCoverMesh::RequestData(vtkInformation*, vtkInformationVector** inputs,
   const cover::Result<cover::Output> output =
       cover::cover_mesh(*std::move(geometry), *options, callbacks);
   if (!output) return failed(output.error());
+  if (const cover::Status met = cover::check_requirements(*output, *options); !met)
+    return failed(met.error());
   cover::write_triangles(*output, reader.z(), *vtkPolyData::GetData(outputs, 0));
   cover::write_lines(*output, reader.z(), *vtkPolyData::GetData(outputs, 1));
   return 1;

@@ -18,6 +18,8 @@
 #include <string>
 #include <vector>
 
+#include "support/temporary_folder.hpp"
+
 namespace {
 
 using Path = std::vector<std::array<double, 2>>;
@@ -134,6 +136,38 @@ TEST(VtkCoverMesh, OptionsAreThoseOfTheProgram) {
   EXPECT_EQ(mesher->LastError(), "there is no option 'max-angel'");
   EXPECT_FALSE(mesher->SetOption("max-angle", "200"));
   EXPECT_NE(mesher->LastError().find("max-angle: 200 is not above 60"), std::string::npos);
+}
+
+TEST(VtkCoverMesh, ReadsTheSizeFieldThatAnOptionNames) {
+  vtkObject::GlobalWarningDisplayOff();
+  const cover::testing::TemporaryFolder folder;
+  vtkNew<vtkCoverMesh> mesher;
+  mesher->SetInputData(plane({kLeft}, {}));
+  ASSERT_TRUE(mesher->SetOption("split-interfaces", "90"));
+  ASSERT_TRUE(mesher->SetOption("size-field", folder.path() / "none.csv"));
+  mesher->Update();
+  EXPECT_NE(mesher->LastError().find("none.csv"), std::string::npos) << mesher->LastError();
+  EXPECT_EQ(mesher->GetOutput()->GetNumberOfCells(), 0);
+  const std::string sizes = "x,y,size\n0,0,.1\n1,0,.1\n1,1,.1\n0,1,.1\n";
+  ASSERT_TRUE(mesher->SetOption("size-field", folder.write("sizes.csv", sizes)));
+  mesher->Update();
+  EXPECT_EQ(mesher->LastError(), "");
+  EXPECT_GT(mesher->GetOutput()->GetNumberOfCells(), 100);
+  vtkObject::GlobalWarningDisplayOn();
+}
+
+TEST(VtkCoverMesh, FailsWhereTheMeshMissesWhatIsRequired) {
+  vtkObject::GlobalWarningDisplayOff();
+  vtkNew<vtkCoverMesh> mesher;
+  mesher->SetInputData(plane({{{0, 0}, {9, 0}, {4, 1}}}, {}));
+  ASSERT_TRUE(mesher->SetOption("max-angle", "95"));
+  mesher->Update();
+  EXPECT_EQ(mesher->LastError(), "");
+  ASSERT_TRUE(mesher->SetOption("require", "max-angle"));
+  mesher->Update();
+  EXPECT_EQ(mesher->LastError().rfind("the mesh does not meet ", 0), 0U) << mesher->LastError();
+  EXPECT_EQ(mesher->GetOutput()->GetNumberOfCells(), 0);
+  vtkObject::GlobalWarningDisplayOn();
 }
 
 TEST(VtkCoverMesh, LinesAloneEncloseRegions) {
