@@ -56,9 +56,27 @@ configure_file(cmake/cover-vtk.pc.in ${PROJECT_BINARY_DIR}/cover-vtk.pc.in @ONLY
 file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/cover-vtk.pc INPUT ${PROJECT_BINARY_DIR}/cover-vtk.pc.in)
 install(FILES ${PROJECT_BINARY_DIR}/cover.pc ${PROJECT_BINARY_DIR}/cover-vtk.pc
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+foreach(reader ${cover_readers})
+  set(cover_pc_reader_libs "")
+  if(reader STREQUAL "dxf")
+    set(cover_pc_reader_libs ${COVER_DXFLIB_LIBRARY})
+  elseif(reader STREQUAL "gmsh")
+    set(cover_pc_reader_libs ${COVER_GMSH_LIBRARY})
+  endif()
+  configure_file(cmake/cover-reader.pc.in ${PROJECT_BINARY_DIR}/cover-${reader}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/cover-${reader}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endforeach()
 
 install(FILES apps/paraview/cover_reader.py DESTINATION ${CMAKE_INSTALL_DATADIR}/cover/paraview)
+# What these pages link to is as far from them as in the sources.
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+foreach(page apps/cover/input.schema.json apps/paraview/cover_reader.py apps/python/cover/__init__.pyi
+        libcover/ARCHITECTURE.md libcover/REFERENCES.bib tests/bench/RESULTS.md tests/solvers/layers.py)
+  cmake_path(GET page PARENT_PATH folder)
+  install(FILES ${page} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder})
+endforeach()
+install(DIRECTORY libcover/docs DESTINATION ${CMAKE_INSTALL_DOCDIR}/libcover)
+install(DIRECTORY samples DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN __pycache__ EXCLUDE)
 
 if(PROJECT_IS_TOP_LEVEL)
   set(CPACK_GENERATOR DEB)

@@ -1,0 +1,17 @@
+# What pages below FOLDER link to is there.
+file(GLOB_RECURSE pages ${FOLDER}/*.md)
+if(NOT pages)
+  message(FATAL_ERROR "no pages below ${FOLDER}")
+endif()
+foreach(page ${pages})
+  cmake_path(GET page PARENT_PATH folder)
+  file(READ ${page} text)
+  string(REPLACE "](" "LINK:" text "${text}")  # brackets hold lists of CMake together
+  string(REGEX MATCHALL "LINK:[^)# \n]+" links "${text}")
+  foreach(link ${links})
+    string(SUBSTRING ${link} 5 -1 link)
+    if(NOT link MATCHES "^https?:" AND NOT EXISTS ${folder}/${link})
+      message(SEND_ERROR "${page} links to ${link}, which is not there")
+    endif()
+  endforeach()
+endforeach()
