@@ -44,8 +44,9 @@ std::vector<Point> points_from(const py::handle& value, const std::string& what)
   const std::string words = what + " must be numbers of the shape (n, 2)";
   refuse_masked(value, what);
   const auto given = converted<py::array>(value, words);
-  // Casting leaves out an imaginary part.
-  if (given.dtype().kind() == 'c') throw py::type_error(words);
+  // Casting leaves out an imaginary part, and makes numbers of dates.
+  const char kind = given.dtype().kind();
+  if (kind == 'c' || kind == 'M' || kind == 'm') throw py::type_error(words);
   refuse_rounded(given, value, what);
   const auto array = converted<Points>(given, words);
   if (array.size() == 0) return {};
@@ -61,7 +62,10 @@ std::vector<Point> points_from(const py::handle& value, const std::string& what)
 /// Whole numbers: those that are written as 1.0 count, 1.5 does not.
 Indices indices_from(const py::handle& value, const std::string& what) {
   refuse_masked(value, what);
-  const auto array = converted<py::array>(value, what + " must be indices");
+  auto array = converted<py::array>(value, what + " must be indices");
+  // What is in it says which numbers these are.
+  if (array.dtype().kind() == 'O')
+    array = converted<py::array>(array.attr("tolist")(), what + " must be indices");
   if (array.size() == 0) return Indices(py::ssize_t{0});  // numpy takes an empty list for floats
   const char kind = array.dtype().kind();
   // Those would wrap around to other numbers.
@@ -210,7 +214,9 @@ Input soup_from(const py::list& polygons) {
       throw py::value_error("a polygon is (material, rings) or (material, rings, name)");
     InputPolygon polygon;
     polygon.material = name_from(fields[0], "a material");
-    for (const py::handle& ring : fields[1]) polygon.rings.push_back(points_from(ring, "a ring"));
+    const std::string which = "polygon " + std::to_string(input.polygons.size()) + ": ring ";
+    for (const py::handle& ring : fields[1])
+      polygon.rings.push_back(points_from(ring, which + std::to_string(polygon.rings.size())));
     if (fields.size() == 3) polygon.region = name_from(fields[2], "a region");
     polygon.id = static_cast<long>(input.polygons.size());
     input.polygons.push_back(std::move(polygon));

@@ -86,10 +86,22 @@ SizeFunction sizes_of(const py::object& function, Callables& callables) {
   };
 }
 
+/// Raises TypeError for what is neither a function nor a path.
+void check_size_field(const py::dict& keywords) {
+  if (!keywords.contains("size_field")) return;
+  const py::object field = keywords["size_field"];
+  if (!field.is_none() && PyCallable_Check(field.ptr()) == 0 && !py::isinstance<py::str>(field) &&
+      !py::hasattr(field, "__fspath__"))
+    throw py::type_error("size_field: " + shown(field) +
+                         " is neither a function of x and y nor the path of a file; a length is "
+                         "given as size");
+}
+
 PyMesh mesh_input(Input input, py::dict keywords, const py::object& progress,
                   const std::vector<Provenance::Setting>& read_with = {}) {
   Callables callables;
   py::object sizes;
+  check_size_field(keywords);
   if (keywords.contains("size_field") && PyCallable_Check(keywords["size_field"].ptr()) != 0) {
     sizes = keywords["size_field"];
     if (keywords.contains("size_of") && !keywords["size_of"].is_none())

@@ -14,16 +14,6 @@ namespace py = pybind11;
 namespace cover::python {
 namespace {
 
-/// As Python would print it, short.
-std::string shown(const py::handle& value) {
-  constexpr std::size_t kMost = 60;
-  std::string text = py::repr(value);
-  if (text.size() <= kMost) return text;
-  std::size_t size = kMost;
-  while ((static_cast<unsigned char>(text[size]) & 0xC0U) == 0x80U) --size;  // whole letters
-  return text.substr(0, size) + "...";
-}
-
 /// numpy's numbers and arrays as Python's numbers and lists; all else as it is.
 py::object plain(const py::handle& value) {
   refuse_masked(value, "an option");
@@ -121,9 +111,20 @@ class Value {
     for (const py::handle& item : value.attr("items")()) {
       const auto pair = py::reinterpret_borrow<py::tuple>(item);
       const std::string name = bytes_of(py::str(pair[0]));
-      all.push_back((name.empty() ? "" : name + "=") + text(pair[1]));
+      all.push_back((name.empty() ? "" : key_of(name) + "=") + text(pair[1]));
     }
     return all;
+  }
+
+  /// Of layers, a name with an equals sign in quotation marks, which tell it from the values;
+  /// LINE@REGION stays what it is.
+  [[nodiscard]] std::string key_of(const std::string& name) const {
+    if (entry_.name != "layers" || name.find('=') == std::string::npos ||
+        name.find('"') != std::string::npos)
+      return name;
+    const std::size_t at = name.find('@');
+    const std::string line = '"' + name.substr(0, at) + '"';
+    return at == std::string::npos ? line : line + "@\"" + name.substr(at + 1) + '"';
   }
 
   [[nodiscard]] std::string text(const py::handle& given) const {
@@ -214,6 +215,15 @@ Named<Options> find_keyword(const std::string& key) {
 }
 
 }  // namespace
+
+std::string shown(const py::handle& value) {
+  constexpr std::size_t kMost = 60;
+  std::string text = py::repr(value);
+  if (text.size() <= kMost) return text;
+  std::size_t size = kMost;
+  while ((static_cast<unsigned char>(text[size]) & 0xC0U) == 0x80U) --size;  // whole letters
+  return text.substr(0, size) + "...";
+}
 
 Keywords options_from(const py::dict& keywords) {
   OptionReader reader;

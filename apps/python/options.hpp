@@ -12,6 +12,9 @@
 
 namespace cover::python {
 
+/// A value as Python would print it, short.
+std::string shown(const pybind11::handle& value);
+
 /// Options of option_table() with sentences on those that have no effect.
 struct Keywords {
   Options options;

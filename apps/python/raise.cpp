@@ -22,6 +22,24 @@ const char* type_of(ErrorCode code) {
   }
 }
 
+const char* kind_of(InputKind kind) {
+  switch (kind) {
+    case InputKind::point:
+      return "point";
+    case InputKind::segment:
+      return "segment";
+    case InputKind::polygon:
+      return "polygon";
+    case InputKind::hole:
+      return "hole";
+    case InputKind::region_seed:
+      return "region";
+    case InputKind::line:
+      return "line";
+  }
+  return "";
+}
+
 py::str decoded(const std::string& bytes, const char* errors) {
   auto text = py::reinterpret_steal<py::str>(
       PyUnicode_DecodeUTF8(bytes.data(), static_cast<py::ssize_t>(bytes.size()), errors));
@@ -57,6 +75,10 @@ void raise(const Error& error, const py::object& mesh) {
   py::list where;
   for (const Point& p : error.where) where.append(py::make_tuple(p.x, p.y));
   raised.attr("where") = where;
+  py::list inputs;
+  for (const InputRef& input : error.inputs)
+    inputs.append(py::make_tuple(kind_of(input.kind), input.id));
+  raised.attr("inputs") = inputs;
   if (!mesh.is_none()) raised.attr("mesh") = mesh;
   PyErr_SetObject(type.ptr(), raised.ptr());
   throw py::error_already_set();

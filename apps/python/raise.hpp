@@ -24,7 +24,7 @@ std::string bytes_of(const pybind11::handle& name);
                                 const std::string& message);
 
 /// Raises cover.Error, or one of its kinds (Cancelled, OptionError, OutOfMemory,
-/// RequirementNotMet), with the members code and where.
+/// RequirementNotMet), with the members code, where and inputs.
 [[noreturn]] void raise(const Error& error);
 /// The same with the mesh that there is nevertheless, as the member `mesh`.
 [[noreturn]] void raise(const Error& error, const pybind11::object& mesh);

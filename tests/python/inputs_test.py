@@ -45,7 +45,7 @@ class Whole(unittest.TestCase):
         self.refused(lambda: cover.mesh(SQUARE, RING, holes=[(LARGE + 1, 0)]), 'holes: no double is ')
 
     def test_polygons(self):
-        self.refused(lambda: cover.mesh_polygons([('Si', [WIDE])]), 'a ring: no double is ')
+        self.refused(lambda: cover.mesh_polygons([('Si', [WIDE])]), 'polygon 0: ring 0: no double is ')
         self.refused(lambda: cover.mesh_polygons([('Si', [WIDE])], unit='um'), 'polygon 0: no double is ')
         self.refused(lambda: cover.mesh_polygons([('Si', [[(0, 0), (1, 0), (0, 1)]])], lines={'a': [(0, 0), (10**400, 0)]}),
                      "the line 'a': no double is ")
@@ -68,7 +68,7 @@ class Masked(unittest.TestCase):
         self.refused(lambda: cover.mesh(SQUARE, RING, holes=self.POINTS[2:]), 'holes')
         self.refused(lambda: cover.mesh(SQUARE, RING, [(np.ma.masked, 0.5, 'Si')]), 'a region')
         self.refused(lambda: cover.mesh(SQUARE, RING, lines={'a': np.ma.masked_array([1, 2], mask=[1, 0])}), 'lines')
-        self.refused(lambda: cover.mesh_polygons([('Si', [self.POINTS])]), 'a ring')
+        self.refused(lambda: cover.mesh_polygons([('Si', [self.POINTS])]), 'polygon 0: ring 0')
         self.refused(lambda: cover.mesh_polygons([('Si', [self.POINTS])], unit='um'), 'polygon 0')
         self.refused(lambda: cover.mesh(SQUARE, RING, size=np.ma.masked), 'an option')
 
@@ -114,6 +114,55 @@ class Conversions(unittest.TestCase):
     def test_an_answer_that_is_neither_true_nor_false(self):
         with self.assertRaisesRegex(ValueError, 'truth value'):
             cover.mesh(SQUARE, RING, size=0.1, progress=lambda *_: np.array([1, 2]))
+
+
+class Mistakes(unittest.TestCase):
+    """Errors name the element that they are about."""
+
+    def refused(self, kind, words, *polygons, **more):
+        with self.assertRaisesRegex(kind, words) as caught:
+            cover.mesh_polygons(list(polygons), **more)
+        return caught.exception
+
+    def test_elements_of_polygons(self):
+        good, top = ('Si', [SQUARE]), {'top': SQUARE[:2]}
+        self.refused(ValueError, r'^polygon 1: ring 0 must have the shape', good, ('Cu', SQUARE))
+        self.refused(TypeError, r'^polygon 1: 0 is no point', good, ('Cu', [(0, 0), (1, 0)]), lines=top)
+        self.refused(ValueError, r"^polygon 1: 'x' is no coordinate", good, ('Cu', [[(0, 'x'), (1, 0)]]), lines=top)
+        self.refused(TypeError, r'^holes: 1 is no point', good, holes=(1, .5))
+        self.refused(ValueError, r'^polygon 1: a curve, a size or a priority is not', good,
+                     {'material': 'Cu', 'rings': [SQUARE], 'size': float('nan')})
+        self.refused(ValueError, r'^chord_error is not', good, lines=top, chord_error=float('inf'))
+        for paths in None, (point for point in SQUARE), 5:
+            self.refused(TypeError, r"^lines: 'top' must be a list of points", good, lines={'top': paths})
+        self.refused(TypeError, r"^lines: 'top' must be .*, and begins with 0$", good, lines={'top': [0, 0, 1, 0]})
+
+    def test_inputs_of_an_error(self):
+        self.assertEqual(cover.Error.inputs, ())
+        error = self.refused(cover.Error, 'overlap', ('Si', [SQUARE]), ('Cu', [SQUARE]), overlap='error')
+        self.assertEqual(error.inputs, [('polygon', 0), ('polygon', 1)])
+
+    def test_size_fields_that_are_none(self):
+        for field in np.ones((2, 3)), .1, ['a.csv'], b'a.csv':
+            with self.assertRaisesRegex(TypeError, r'^size_field: [^:]* is neither a function of x and y nor the path'):
+                cover.mesh(SQUARE, RING, size_field=field)
+
+    def test_kinds_of_numbers(self):
+        ring = np.array(RING).astype(object)
+        self.assertEqual(len(cover.mesh(SQUARE, ring, lines={'a': np.array([0], object)}).lines['a']), 1)
+        for wrong in 1.5, None, 'x':
+            ring[0, 1] = wrong
+            with self.assertRaises((TypeError, ValueError)):
+                cover.mesh(SQUARE, ring)
+        for kind in 'M8[s]', 'm8[s]':
+            with self.assertRaisesRegex(TypeError, 'points must be numbers'):
+                cover.mesh(np.array(SQUARE).astype(int).astype(kind), RING)
+
+    def test_layers_of_lines_with_signs_in_their_names(self):
+        for name, key in ('a=b', 'a=b'), ('a@b', '"a@b"'), ('a=b', '"a=b"'), ('a=b', 'a=b@Si'):
+            mesh = cover.mesh(SQUARE, RING, [(.5, .4, 'Si')], lines={name: [0]}, layers={key: (.01, 1.5, 3)},
+                              split_interfaces=90)
+            self.assertGreater(len(mesh.triangles), 4)
 
 
 class Names(unittest.TestCase):

@@ -19,11 +19,13 @@ from collections.abc import Mapping as _Mapping
 class Error(Exception):
     """What is wrong with the input or the options.
 
-    code: the number of the error, the same for good; where: coordinates it is about.
+    code: the number of the error, the same for good; where: coordinates it is about; inputs: elements of the input
+    it is about, each by its kind ("point", "segment", "polygon", "hole", "region", "line") and its index or number.
     """
 
     code = 0
     where = ()
+    inputs = ()
 
 
 class OptionError(Error, ValueError):
@@ -101,7 +103,18 @@ def _coordinate(x, what):
         raise ValueError(f"{what}: a value is masked, so there is no number to take")
     if hasattr(x, "__index__") and not _is_double(int(x)):
         raise ValueError(f"{what}: no double is {x}; numbers above 2^53 are rounded, give a float if that is meant")
-    return float(x)
+    try:
+        return float(x)
+    except (TypeError, ValueError) as error:
+        kind = TypeError if isinstance(error, TypeError) else ValueError
+        raise kind(f"{what}: {x!r} is no coordinate") from error
+
+
+def _point(item, what):
+    """A point as a pair."""
+    if not hasattr(item, "__iter__"):
+        raise TypeError(f"{what}: {item!r} is no point (x, y)")
+    return [_coordinate(x, what) for x in item]
 
 
 def _is_double(whole):
@@ -113,7 +126,7 @@ def _is_double(whole):
 
 def _plain(path, what):
     """A path as JSON has it: points as pairs, curves as dictionaries."""
-    plain = [item if isinstance(item, _Mapping) else [_coordinate(x, what) for x in item] for item in path]
+    plain = [item if isinstance(item, _Mapping) else _point(item, what) for item in path]
     for point in plain:
         if not isinstance(point, _Mapping) and not all(map(_math.isfinite, point)):
             error = Error(f"the point ({', '.join(f'{x:g}' for x in point)}) of {what} is not finite")
@@ -171,9 +184,13 @@ def mesh_polygons(polygons, *, lines=None, holes=(), chord_error=None, unit=None
     document = {"polygons": [_document(k, p) for k, p in enumerate(polygons)], "lines": [], "holes": _plain(holes, "holes")}
     for name, paths in _by_name(lines, "paths").items():
         # One path begins with a point or a curve, a list of them with a path.
+        if not hasattr(paths, "__len__"):
+            raise TypeError(f"lines: '{name}' must be a list of points, or of such lists")
         if not len(paths):
             raise ValueError(f"lines: '{name}' has no points")
         first = paths[0]
+        if not hasattr(first, "__len__"):
+            raise TypeError(f"lines: '{name}' must be a list of points, or of such lists, and begins with {first!r}")
         one = isinstance(first, _Mapping) or (len(first) == 2 and not any(isinstance(x, dict) or hasattr(x, "__len__") for x in first))
         for path in [paths] if one else paths:
             document["lines"].append({"name": str(name), "points": _plain(path, f"the line '{name}'")})
@@ -184,8 +201,18 @@ def mesh_polygons(polygons, *, lines=None, holes=(), chord_error=None, unit=None
     try:
         text = _json.dumps(document, default=_number, allow_nan=False)
     except ValueError as error:
-        raise ValueError("a curve, a size, a priority or chord_error is not a finite number") from error
+        wrong = [f"polygon {k}" for k, p in enumerate(document["polygons"]) if not _is_finite(p)]
+        wrong += [f"the line '{line['name']}'" for line in document["lines"] if not _is_finite(line)]
+        what = f"{wrong[0]}: a curve, a size or a priority" if wrong else "chord_error"
+        raise ValueError(f"{what} is not a finite number") from error
     return _mesh_text(text, ".json", "polygons", options, progress)
+
+
+def _is_finite(part):
+    try:
+        return bool(_json.dumps(part, default=_number, allow_nan=False))
+    except ValueError:
+        return False
 
 
 def _number(value):

@@ -99,6 +99,7 @@ class _RegionNames(TypedDict):
 class Error(Exception):
     code: int
     where: Sequence[Tuple[float, float]]
+    inputs: Sequence[Tuple[str, int]]  # kind and id: "point", "segment", "polygon", "hole", "region", "line"
 
 class OptionError(Error, ValueError): ...
 class OutOfMemory(Error, MemoryError): ...
