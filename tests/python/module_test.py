@@ -579,7 +579,11 @@ class SizesByFunction(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, 'given as size_field'):
             cover.mesh(self.CORNERS, self.RING, size=lambda x, y: 1)
         # No size there: nothing is asked.
-        self.assertEqual(len(self.mesh(lambda x, y: math.nan).points), 4)
+        for function in (lambda x, y: math.nan), (lambda x, y: -.1):
+            mesh = self.mesh(function)
+            self.assertEqual(len(mesh.points), 4)
+            self.assertRegex('; '.join(mesh.notes), "^the size field 'a function' asks for nothing: ")
+        self.assertNotIn('asks for nothing', '; '.join(self.mesh(lambda x, y: .3 if x < .5 else math.nan).notes))
 
 
 class Running(unittest.TestCase):

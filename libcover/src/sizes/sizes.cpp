@@ -20,6 +20,7 @@
 #include "geom/box.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
+#include "sizes/fields/ask_size.hpp"
 #include "sizes/fields/graded_function.hpp"
 #include "sizes/segment_sizes.hpp"
 #include "sizes/size_field.hpp"
@@ -231,6 +232,20 @@ void share_sizes(const Pslg& pslg, std::span<RegionBoundary> boundaries) {
   }
 }
 
+namespace {
+
+/// Whether the caller's sizes are a number above zero at some vertex.
+bool asks_for_something(const SizeFunction& field, std::span<const RegionBoundary> boundaries) {
+  return std::any_of(boundaries.begin(), boundaries.end(), [&](const RegionBoundary& boundary) {
+    return std::any_of(boundary.points.begin(), boundary.points.end(), [&](Point p) {
+      const double size = ask_size(field, p);
+      return size > 0 && std::isfinite(size);
+    });
+  });
+}
+
+}  // namespace
+
 void warn_of_sizes(const Pslg& pslg, const Options& options,
                    std::span<const RegionBoundary> boundaries, bool may_be_cut,
                    std::vector<Note>& notes) {
@@ -252,6 +267,16 @@ void warn_of_sizes(const Pslg& pslg, const Options& options,
                      expression),
          {}});
   }
+  if (options.size_field && !asks_for_something(options.size_field, boundaries))
+    notes.push_back(
+        {Note::Kind::warning,
+         kVoid,
+         fmt::format("the size field{} asks for nothing: it is a number above zero at no "
+                     "vertex of the input",
+                     options.size_field_name.empty()
+                         ? std::string()
+                         : fmt::format(" '{}'", options.size_field_name)),
+         {}});
   for (const RegionBoundary& boundary : boundaries) {
     if (!boundary.size_missed) continue;
     notes.push_back({Note::Kind::warning,
