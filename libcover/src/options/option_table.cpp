@@ -261,6 +261,8 @@ Status check_options(const Options& options) {
   if (!options.layers.empty() && options.hull)
     return bad_option(
         "layers lie along lines of the input, and sides of a hull are none: not with hull");
+  if (!options.size_of.empty() && options.size_field_name.empty())
+    return bad_option("size-of is of the values of a file, and size-field names none");
   if (!ranges::kScale.holds(options.size_field_scale))
     return bad_option(fmt::format("size_field_scale is {}, but must be {}",
                                   describe(options.size_field_scale), describe(ranges::kScale)));

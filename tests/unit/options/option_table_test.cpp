@@ -236,6 +236,17 @@ TEST(CheckOptions, RefusesNumbersThatAreNoWords) {
   EXPECT_NE(refusal([](Options& o) { o.overlap = static_cast<Overlap>(3); }), "");
 }
 
+TEST(CheckOptions, WhatIsToBeResolvedStandsInASizeField) {
+  Options options;
+  options.size_of = "asinh";
+  ASSERT_FALSE(check_options(options));
+  EXPECT_NE(check_options(options).error().message.find("size-of is of the values of a file"),
+            std::string::npos);
+  options.size_field_name = "doping.vtu";
+  options.size_field = [](Point) { return 1.0; };
+  EXPECT_TRUE(check_options(options));
+}
+
 TEST(CheckOptions, TheScaleOfSizeFieldsIsAboveZero) {
   for (const double scale : {0.0, -1.0, std::nan("")}) {
     Options options;
