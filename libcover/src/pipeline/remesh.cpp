@@ -102,7 +102,7 @@ class OldMesh {
 
   /// Regions that have another material in the mesh than in the input.
   [[nodiscard]] std::size_t other_materials(const RegionTable& table) const {
-    if (soup_.material.size() != soup_.triangles.size()) return 0;
+    if (soup_.material.empty()) return 0;
     return static_cast<std::size_t>(
         std::count_if(table.regions.begin(), table.regions.end(), [&](const Region& region) {
           const auto& own = of_region_[place_of(region.id)];
@@ -137,11 +137,11 @@ class OldMesh {
         fmt::format("the mesh is not one of {}: {}",
                     pslg.source.empty() ? "the input" : pslg.source, first.message);
     if (found.violation_count > 1)
-      message += fmt::format("; {} in all", counted(found.violation_count, "such fault"));
+      message += fmt::format("; {} in all", counted(found.violation_count, "fault"));
     if (!missing.empty() && missing.size() < table.regions.size()) {
       const std::string more = and_more(missing.size(), kNamed);
       missing.resize(std::min(missing.size(), kNamed));
-      message += fmt::format("; it has no triangles in {}{}", listed(missing), more);
+      message += fmt::format("; no triangles in {}{} were found", listed(missing), more);
     }
     return {ErrorCode::other_mesh, std::move(message), first.where, {}};
   }
@@ -234,6 +234,12 @@ Status adopt(const TriangleSoup& onto, const Options& options, const Options& as
 Result<Output> mesh_again(const Input& input, const TriangleSoup& onto,
                           std::span<const std::string> only, const Options& asked,
                           const Callbacks& callbacks) {
+  if (!onto.material.empty() && onto.material.size() != onto.triangles.size())
+    return Error{ErrorCode::other_mesh,
+                 fmt::format("the mesh has {} triangles and materials of {}", onto.triangles.size(),
+                             onto.material.size()),
+                 {},
+                 {}};
   StageClock clock;
   const Result<Options> options = options_without_cuts(with_layers_of(input, asked), only);
   if (!options) return options.error();

@@ -239,7 +239,19 @@ TEST(Remesh, RefusesAMeshWithoutARegion) {
   ASSERT_FALSE(output);
   const Error& error = output.error();
   EXPECT_EQ(error.code, ErrorCode::other_mesh);
-  EXPECT_TRUE(says(error, "no triangles in region 2 'oxide'")) << error.message;
+  EXPECT_TRUE(says(error, "no triangles in region 2 'oxide' were found")) << error.message;
+}
+
+TEST(Remesh, RefusesMaterialsOfOtherTriangles) {
+  const Input input = odd_input();
+  TriangleSoup mesh = triangle_soup(must_mesh(input).mesh);
+  mesh.material.pop_back();
+  const Result<Output> output = remesh(input, mesh, Names{"gate"});
+  ASSERT_FALSE(output);
+  EXPECT_EQ(output.error().code, ErrorCode::other_mesh);
+  EXPECT_TRUE(says(output.error(), "and materials of")) << output.error().message;
+  mesh.material.clear();  // not known
+  EXPECT_TRUE(remesh(input, mesh, Names{"gate"}));
 }
 
 TEST(Remesh, ANearbyPathOfOtherVerticesIsNoCutSegment) {
