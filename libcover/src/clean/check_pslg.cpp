@@ -148,9 +148,11 @@ std::optional<Error> find_unusable(const Input& input) {
   for (std::size_t s = 0; s < input.segments.size(); ++s) {
     const InputSegment& segment = input.segments[s];
     if (std::max(segment.a, segment.b) < input.points.size()) continue;
-    range.add(fmt::format("segment {}{} ends at a point that does not exist", segment.id,
-                          line_suffix(segment.line)),
-              {}, {segment_ref(input, s)});
+    range.add(
+        fmt::format("segment {}{} ends at the point with the index {}, but there are {} points",
+                    segment.id, line_suffix(segment.line), std::max(segment.a, segment.b),
+                    input.points.size()),
+        {}, {segment_ref(input, s)});
   }
   if (!range.empty()) return range.error();
   return {};

@@ -224,7 +224,9 @@ TEST(MakePslg, RefusesWhatIsNotFinite) {
 TEST(MakePslg, RefusesIndicesOutOfRange) {
   const Error e = refusal(poly({{0, 0}, {1, 0}}, {{1, 5}}));
   EXPECT_EQ(e.code, ErrorCode::id_out_of_range);
-  EXPECT_EQ(e.message, "in.poly: segment 1 (line 5) ends at a point that does not exist");
+  EXPECT_EQ(
+      e.message,
+      "in.poly: segment 1 (line 5) ends at the point with the index 4, but there are 2 points");
 }
 
 TEST(MakePslg, RefusesAnInputWithoutSegments) {
