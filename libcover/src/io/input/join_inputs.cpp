@@ -237,6 +237,8 @@ std::optional<Error> find_missing(const std::vector<Input>& inputs) {
 Result<Input> join_inputs(std::vector<Input> inputs) {
   constexpr std::size_t kNamed = 3;
   if (inputs.empty()) return bad_option("there is no input to join");
+  for (std::size_t k = 0; k < inputs.size() && inputs.size() > 1; ++k)  // sentences name both
+    if (inputs[k].source.empty()) inputs[k].source = fmt::format("input {}", k + 1);
   std::vector<std::string> warnings;
   if (Status status = check_systems(inputs, warnings); !status) return std::move(status).error();
   if (std::optional<Error> missing = find_missing(inputs)) return *std::move(missing);

@@ -35,6 +35,16 @@ TEST(JoinInputs, LaterFilesArePaintedOverEarlierOnes) {
   EXPECT_DOUBLE_EQ(b, 1);
 }
 
+TEST(JoinInputs, InputsWithoutASourceAreNumbered) {
+  Input one = square(0, "a", ""), other = square(2, "b", "y.geojson");
+  one.warnings = {"odd"};
+  const Result<Input> joined = join_inputs({other, one});
+  ASSERT_TRUE(joined);
+  EXPECT_EQ(joined->source, "y.geojson, input 2");
+  EXPECT_EQ(joined->warnings, std::vector<std::string>{"input 2: odd"});
+  EXPECT_EQ(join_inputs({one})->source, "");
+}
+
 TEST(JoinInputs, SegmentsAndCirclesKeepTheirPoints) {
   Input one, other;
   one.points = {{0, 0}, {1, 0}};
