@@ -132,6 +132,7 @@ class Mistakes(unittest.TestCase):
         self.refused(TypeError, r'^holes: 1 is no point', good, holes=(1, .5))
         self.refused(ValueError, r'^polygon 1: a curve, a size or a priority is not', good,
                      {'material': 'Cu', 'rings': [SQUARE], 'size': float('nan')})
+        self.refused(cover.Error, 'null says nothing here: give a value, or', {'material': None, 'rings': [SQUARE]})
         self.refused(ValueError, r'^chord_error is not', good, lines=top, chord_error=float('inf'))
         for paths in None, (point for point in SQUARE), 5:
             self.refused(TypeError, r"^lines: 'top' must be a list of points", good, lines={'top': paths})

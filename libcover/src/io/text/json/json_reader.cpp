@@ -194,7 +194,7 @@ bool JsonReader::expect_keys(const Json& object, const std::vector<std::string_v
   for (const auto& [key, value] : object.items()) {
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) {
       if (!value.is_null() || std::find(free.begin(), free.end(), key) != free.end()) continue;
-      fail(value, "null says nothing here: leave the key out");
+      fail(value, "null says nothing here: give a value, or leave the key out if it is not needed");
       return false;
     }
     const std::vector<std::string> known(keys.begin(), keys.end());
