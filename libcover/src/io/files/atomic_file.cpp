@@ -25,6 +25,8 @@ bool is_written_directly(const std::string& path) {
 }
 
 Result<AtomicFile> AtomicFile::create(const std::string& path, std::stop_token stop) {
+  // The system would take what stands before it.
+  if (path.find('\0') != std::string::npos) return cannot_write(path, EINVAL);
   Result<fs::path> target = end_of_links(path);
   if (!target) return std::move(target).error();
   std::error_code ignored;

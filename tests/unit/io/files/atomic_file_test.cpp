@@ -172,6 +172,13 @@ TEST(AtomicFile, SaysThatTheDiskIsFull) {
   EXPECT_NE(status.error().message.find("No space left on device"), std::string::npos);
 }
 
+TEST(AtomicFile, RefusesNamesWithAZeroByte) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "a").string() + std::string("\0b.vtu", 6);
+  EXPECT_FALSE(AtomicFile::create(path));
+  EXPECT_EQ(files_in(folder.path()), 0U);
+}
+
 TEST(AtomicFile, SaysWhyAFileCannotBeWritten) {
   const TemporaryFolder folder;
   const auto missing = AtomicFile::create((folder.path() / "no" / "mesh.txt").string());
