@@ -12,7 +12,7 @@
 
 namespace cover {
 
-/// One step of a run.
+/// One step of a run. While a region takes long, its step is told again now and then.
 struct Progress {
   std::string_view stage;  ///< "clean", "regions", "mesh", "stitch", ...
   std::size_t done = 0;    ///< of `total`, in units of the stage (regions by their weight)

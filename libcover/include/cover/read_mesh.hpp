@@ -68,12 +68,16 @@ struct MeshFile {
 Result<MeshFile> read_mesh(const std::string& path);
 
 /// Reads a mesh that cover wrote, in any format of read_mesh(), as what cover_mesh() returned, as
-/// far as files keep it; see rebuild(). A .vtkhdf holds all of it. Else names, interfaces and
-/// markers come from the manifest (.json) beside it, else from the .vtm beside it, else from the
-/// file itself. So do attributes of regions and values at points, words of attributes not from a
-/// lone .vtu, .msh or .xdmf. What is missing then is said in the report's notes, and that nodes in
-/// the middle of edges, where some triangles have none, or pairs of periodic sides that neither a
-/// manifest nor a .msh tells, were left out.
+/// far as files keep it; see rebuild(). A .vtkhdf holds all but arcs and periodic sides, which the
+/// manifest (.json) beside it tells; one of another mesh is told in a note, as a .vtm of another
+/// mesh is. Else names, interfaces and markers come from the manifest beside it, else from the .vtm
+/// beside it, else from the file itself. So do attributes of regions and values at points, words of
+/// attributes not from a lone .vtu, .msh or .xdmf. What is missing then is said in the report's
+/// notes, and that nodes in the middle of edges, where some triangles have none, or pairs of
+/// periodic sides that neither a manifest nor a .msh tells, were left out.
+///
+/// No file keeps the ids of points: Pslg::point_ids are places in the mesh, and -1 where the run
+/// put a vertex on a segment, as far as the file or the manifest tells.
 ///
 /// Errors: those of read_mesh(); syntax also where the manifest is of another mesh.
 Result<Output> read_output(const std::string& path);

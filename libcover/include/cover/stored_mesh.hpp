@@ -37,7 +37,7 @@ struct StoredArc {
 struct StoredMesh {
   TriangleSoup soup;                   ///< with the region and the material of every triangle
   std::size_t input_vertices = 0;      ///< so many of the first vertices are no Steiner vertices
-  std::size_t cut_vertices = 0;        ///< so many of these were put on segments, if that is known
+  std::size_t cut_vertices = 0;        ///< the last of these, put on segments, if known
   std::vector<Region> regions;         ///< by RegionId - 1; empty: to be made up from the triangles
   std::vector<Interface> interfaces;   ///< by InterfaceId - 1, without their segments; or empty
   std::vector<std::string> names{""};  ///< of contacts, where there are no interfaces

@@ -24,7 +24,7 @@
 ///
 /// What is wrong is told as VTK does it (ErrorEvent) and in LastError(); the outputs are empty
 /// then. So is what VTK lets pass: cells with points that are not there, and places that are not
-/// finite.
+/// finite; and what the option `require` asks for and the mesh misses.
 class vtkCoverMesh : public vtkPolyDataAlgorithm {
  public:
   static vtkCoverMesh* New();

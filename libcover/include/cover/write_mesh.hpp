@@ -76,7 +76,8 @@ Status write_vtu(const Output& output, const std::string& path, const WriteOptio
 /// Writes VTK's format in HDF5 (VTKHDF 1.0, an unstructured grid of one piece): the triangles and
 /// cell arrays of write_vtu(), and as field data the names of regions, materials and lines, the
 /// edges of all lines, named points, the words of attributes X as X_names, and where the mesh comes
-/// from. So one file holds all that read_output() wants.
+/// from. So one file holds all that read_output() wants, but for arcs and periodic sides, which the
+/// manifest tells.
 ///
 /// Errors: bad_option, cannot_write, cancelled
 Status write_vtkhdf(const Output& output, const std::string& path,

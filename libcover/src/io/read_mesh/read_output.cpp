@@ -26,13 +26,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Names, lines and arrays for the triangles of `stored` out of the .vtm of the same mesh.
-Status take_names_from_vtm(const std::string& path, StoredMesh& stored) {
+/// Names, lines and arrays for the triangles of `stored` out of the .vtm of the same mesh; false,
+/// and nothing is changed, if it is of another one.
+Result<bool> take_names_from_vtm(const std::string& path, StoredMesh& stored) {
   Result<VtmMesh> blocks = read_vtm(path);
   if (!blocks) return std::move(blocks).error();
   std::vector<std::string> ignored;  // the mesh's own file tells
   StoredMesh named = std::move(*blocks).finish(ignored);
-  if (named.soup.points != stored.soup.points) return wrong_file(path, "it is of another mesh");
+  if (named.soup.points != stored.soup.points) return false;
   stored.regions = std::move(named.regions);
   stored.interfaces = std::move(named.interfaces);
   stored.edges = std::move(named.edges);
@@ -43,7 +44,8 @@ Status take_names_from_vtm(const std::string& path, StoredMesh& stored) {
   stored.scale = named.scale;
   stored.input_vertices = named.input_vertices;
   stored.cut_vertices = std::max(stored.cut_vertices, named.cut_vertices);
-  return take_materials(stored) ? ok() : Status(wrong_file(path, "it is of another mesh"));
+  if (!take_materials(stored)) return wrong_file(path, "it is of another mesh");
+  return true;
 }
 
 /// How the .vtm of the same mesh was made, for triangles without numbers of regions, to which it
@@ -181,10 +183,13 @@ class Completion {
     const bool has_blocks = !*named && fs::is_regular_file(beside(".vtm"));
     if (has_blocks && stored.soup.region.empty()) take_run_from_vtm(beside(".vtm"), stored);
     if (has_blocks && !stored.soup.region.empty()) {
-      if (Status status = take_names_from_vtm(beside(".vtm"), stored); !status)
-        return std::move(status).error();
-      sort_by_region(stored.soup);
-      return stored;
+      const Result<bool> taken = take_names_from_vtm(beside(".vtm"), stored);
+      if (!taken) return taken.error();
+      if (*taken) {
+        sort_by_region(stored.soup);
+        return stored;
+      }
+      has_other_blocks_ = true;
     }
     if (!*named) {
       if (Status status = complete_alone(*file, stored); !status) return std::move(status).error();
@@ -220,6 +225,7 @@ class Completion {
       const std::string why =
           fs::is_regular_file(beside(".json"))
               ? fmt::format("{} is no manifest of a mesh", beside(".json"))
+          : has_other_blocks_ ? fmt::format("{} is of another mesh", beside(".vtm"))
           : fs::is_regular_file(beside(".vtm"))
               ? fmt::format(
                     "{} is not there, and {} cannot give them to triangles without "
@@ -243,7 +249,8 @@ class Completion {
   std::vector<std::string> notes_;
   bool has_periodic_points_ = false;
   std::vector<MovedNode> nodes_;
-  bool has_all_nodes_ = false;  ///< every triangle has six
+  bool has_all_nodes_ = false;     ///< every triangle has six
+  bool has_other_blocks_ = false;  ///< in a .vtm beside it that is of another mesh
 };
 
 }  // namespace
