@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 
 #include "base/numbers.hpp"
+#include "dxf/group_text.hpp"
 
 namespace cover {
 namespace {
@@ -154,11 +155,13 @@ class Builder : public DL_CreationAdapter {
     // A text that is not set from its left end on has its place in the second point.
     const bool aligned = d.hJustification != 0 || d.vJustification != 0;
     const Point at = aligned ? Point{d.apx, d.apy} : Point{d.ipx, d.ipy};
-    if (is_plane()) block().texts.push_back({attributes.getLayer(), {side() * at.x, at.y}, d.text});
+    if (is_plane())
+      block().texts.push_back({attributes.getLayer(), {side() * at.x, at.y}, with_symbols(d.text)});
   }
   void addMTextChunk(const std::string& text) override { chunks_ += text; }
   void addMText(const DL_MTextData& d) override {
-    block().texts.push_back({attributes.getLayer(), {d.ipx, d.ipy}, plain_text(chunks_ + d.text)});
+    block().texts.push_back(
+        {attributes.getLayer(), {d.ipx, d.ipy}, with_symbols(plain_text(chunks_ + d.text))});
     chunks_.clear();
   }
 

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <optional>
 
+#include <cover/text.hpp>
+
 namespace cover {
 namespace {
 
@@ -96,7 +98,48 @@ std::string with_characters(std::string_view text) {
   return out;
 }
 
+/// The character whose number three digits are; 0: they are none, or it is a control.
+std::uint32_t numbered_character(std::string_view digits) {
+  std::uint32_t character = 0;
+  const char* const end = digits.data() + digits.size();
+  if (digits.size() != 3 || std::from_chars(digits.data(), end, character).ptr != end) return 0;
+  const bool is_control = character < 0x20 || (character >= 0x7F && character < 0xA0);
+  return is_control || character > 0xFF ? 0 : character;
+}
+
 }  // namespace
+
+std::string with_symbols(std::string_view text) {
+  constexpr std::string_view kMark = "%%";
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t at = std::min(text.find(kMark), text.size());
+    out += text.substr(0, at);
+    text.remove_prefix(at);
+    if (text.empty()) break;
+    const std::string_view code = text.substr(kMark.size());
+    const char letter = code.empty() ? '\0' : lower(code.substr(0, 1)).front();
+    const std::uint32_t character = numbered_character(code.substr(0, 3));
+    std::size_t taken = kMark.size() + 1;
+    if (letter == 'c') {
+      append(out, 0x2300);
+    } else if (letter == 'd') {
+      append(out, 0xB0);
+    } else if (letter == 'p') {
+      append(out, 0xB1);
+    } else if (letter == '%') {
+      out += '%';
+    } else if (character != 0) {
+      append(out, character);
+      taken = kMark.size() + 3;
+    } else if (letter == '\0' || std::string_view("uok").find(letter) == std::string_view::npos) {
+      out += kMark;
+      taken = kMark.size();
+    }
+    text.remove_prefix(taken);
+  }
+  return out;
+}
 
 std::string group_text_in_utf8(std::string_view value, std::string_view code_page) {
   const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };

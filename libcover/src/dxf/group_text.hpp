@@ -13,4 +13,11 @@ namespace cover {
 /// Cost: O(n)
 std::string group_text_in_utf8(std::string_view value, std::string_view code_page);
 
+/// `text` with what AutoCAD writes as %%c, %%d and %%p (diameter, degree, plus or minus), %%123
+/// (the character of that number) and %%% as these characters, and without lines under and over it
+/// (%%u, %%o, %%k). What else begins with %% stays.
+///
+/// Cost: O(n)
+std::string with_symbols(std::string_view text);
+
 }  // namespace cover

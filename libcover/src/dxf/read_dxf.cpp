@@ -391,14 +391,19 @@ class DxfConverter {
   }
 
   void tell() {
-    const auto warn = [&](std::size_t count, std::string_view what) {
-      if (count > 0) input_.warnings.push_back(fmt::format("{} {}", count, what));
+    const auto warn = [&](std::size_t count, std::string_view one, std::string_view more,
+                          std::string_view what) {
+      if (count == 0) return;
+      input_.warnings.push_back(several(count, one, more));
+      input_.warnings.back() += what;
     };
-    warn(fit_splines_, "splines have fit points only: they are joined by straight lines");
-    warn(bad_splines_, "splines whose knots do not fit their points are left out");
+    warn(fit_splines_, "spline has", "splines have",
+         " fit points only: they are joined by straight lines");
+    warn(bad_splines_, "spline whose knots do not fit its points is",
+         "splines whose knots do not fit their points are", " left out");
     if (options_.label_layer.empty())
-      warn(other_texts_,
-           "texts are left out; --label-layer makes names of regions of those on one layer");
+      warn(other_texts_, "text is", "texts are",
+           " left out; --label-layer makes names of regions of those on one layer");
     for (std::string& sentence : about_hidden()) input_.warnings.push_back(std::move(sentence));
     if (!placed_.missing.empty())
       input_.warnings.push_back(
@@ -446,11 +451,11 @@ void tell_left_out(Input& input, const CheckedDxf& checked, const DxfDrawing& dr
   if (!kinds.empty())
     input.warnings.push_back(fmt::format("entities that are not read: {}", listed(kinds)));
   if (drawing.tilted > 0)
-    input.warnings.push_back(
-        fmt::format("{} entities are not in the plane: left out", drawing.tilted));
+    input.warnings.push_back(several(drawing.tilted, "entity is", "entities are") +
+                             " not in the plane: left out");
   if (drawing.without_radius > 0)
-    input.warnings.push_back(fmt::format("{} whose radius is not positive: left out",
-                                         counted(drawing.without_radius, "circle or arc")));
+    input.warnings.push_back(several(drawing.without_radius, "circle or arc", "circles and arcs") +
+                             " whose radius is not positive: left out");
   if (drawing.meshes > 0)
     input.warnings.push_back(
         several(drawing.meshes, "polyline is a surface", "polylines are surfaces") + ": left out");

@@ -97,10 +97,10 @@ constexpr OptionEntry kTable[] = {
         .name = "couplings", .placeholder = "WHICH",
         .word_list = {"auto", "first", "last"},
         .help = "first: no negative coupling of the box method that the input does not force; "
-                "targets give way, the bound never does. last: angles alone decide. auto: first",
-        .more = "But with --split-interfaces and auto targets come first, then couplings, in "
-                "regions without layers, unless there is --box-method, too; with first, segments "
-                "are cut before meshing alone.",
+                "targets give way, the bound never does. last: angles alone decide. auto: first; "
+                "with --split-interfaces targets before couplings",
+        .more = "With --split-interfaces and auto that is so in regions without layers, unless "
+                "there is --box-method, too; with first, segments are cut before meshing alone.",
         .counts_with = "--method quality",
         .counts = is_quality}),
     flag<&Options::box_method>({

@@ -30,6 +30,17 @@ TEST(GroupText, CharactersByTheirNumbers) {
     EXPECT_EQ(group_text_in_utf8(no_character, ""), no_character);
 }
 
+TEST(GroupText, SymbolsOfAutoCad) {
+  EXPECT_EQ(with_symbols("%%c20 T%%D %%P0.1"),
+            "\xe2\x8c\x80"
+            "20 T\xc2\xb0 \xc2\xb1"
+            "0.1");
+  EXPECT_EQ(with_symbols("%%uHolz%%U %%oa%%O %%kb"), "Holz a b");
+  EXPECT_EQ(with_symbols("5%%% %%065%%228"), "5% A\xc3\xa4");
+  for (const char* const none : {"", "5%", "%%", "%%x", "%%12", "%%007", "%%300", "%%1a2"})
+    EXPECT_EQ(with_symbols(none), none);
+}
+
 TEST(GroupText, WhatIsNoTextStays) {
   EXPECT_EQ(group_text_in_utf8("\xe4", "no code page"), "\xe4");
   EXPECT_EQ(group_text_in_utf8("\x81", "ANSI_1252"), "\x81");  // which has none

@@ -311,10 +311,10 @@ TEST(ReadDxf, TextsOfTheLabelLayerNameRegions) {
       .circle("0", 5, 0, 1)
       .circle("0", 10, 0, 1)
       .circle("0", 15, 0, 1);
-  d.text("labels", 0, 0, "copper/A+")
+  d.text("labels", 0, 0, "%%ucopper%%u/A+")
       .text("labels", 5, 0, "copper/A-")
       .text("notes", 100, 0, "Motor");
-  d.entity("MTEXT", "labels", {{10, 10}, {20, 0}}).group(1, "{\\fArial|b0;void}");
+  d.entity("MTEXT", "labels", {{10, 10}, {20, 0}}).group(1, "{\\fArial|b0;vo%%oid}");
   ReadOptions options;
   options.label_layer = "labels";
   const auto out = testing::clean(read(d.finish(), options));
@@ -324,7 +324,9 @@ TEST(ReadDxf, TextsOfTheLabelLayerNameRegions) {
   for (const Region& region : out->table.regions)
     names.insert(region.material_name + ":" + region.name);
   EXPECT_EQ(names.count("copper:A+") + names.count("copper:A-"), 2U);
-  EXPECT_EQ(read(d.finish()).warnings.size(), 1U);
+  EXPECT_EQ(read(d.finish()).warnings,
+            std::vector<std::string>{"4 texts are left out; --label-layer makes names of regions "
+                                     "of those on one layer"});
   options.label_layer = "Labels";
   EXPECT_EQ(read(d.finish(), options).seeds.size(), 2U);
   options.label_layer = "label";

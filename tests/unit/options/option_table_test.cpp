@@ -38,6 +38,11 @@ std::vector<std::string> values_of(const OptionEntry& entry) {
   return {"a=0.5", "b c=0x=2"};
 }
 
+TEST(OptionTable, HelpOnCouplingsNamesTheExceptionOfAuto) {
+  const std::string_view help = find_option("couplings")->help;
+  EXPECT_NE(help.find("auto: first; with --split-interfaces targets"), std::string_view::npos);
+}
+
 TEST(OptionTable, EveryRowIsWhole) {
   std::set<std::string_view> names;
   std::set<char> letters;

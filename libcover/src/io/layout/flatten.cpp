@@ -412,7 +412,8 @@ class Flattener {
           "{} without an area left out", n == 1 ? "1 shape is" : fmt::format("{} shapes are", n)));
     if (library_.absolute > 0)
       input_.warnings.push_back(fmt::format(
-          "{} cells are placed with absolute angle or size: taken as relative", library_.absolute));
+          "{} placed with absolute angle or size: taken as relative",
+          library_.absolute == 1 ? "1 cell is" : fmt::format("{} cells are", library_.absolute)));
     if (!input_.polygons.empty() || !input_.lines.empty()) {
       for (const std::string& choice : layers_.choices_of_nothing())
         input_.warnings.push_back(fmt::format("no shape is on the layer '{}'", legible(choice)));
