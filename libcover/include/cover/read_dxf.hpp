@@ -13,10 +13,10 @@ namespace cover {
 /// Reads the model space of a drawing, as text: lines, arcs, circles, ellipses, polylines with
 /// bulges, splines, and blocks, in whatever way they are inserted. All of them become segments, so
 /// every closed face is a region, whatever its outline was drawn with; where there is more than one
-/// layer, segments have the name of theirs (but those on layer 0). What a CAD program would not
-/// print is left out: invisible entities, and lines and curves on layers that are off or frozen, or
-/// called Defpoints, unless `options.layers` names the layer. Of lines and curves that run through
-/// space, polylines, too, x and y count.
+/// layer, or file, segments have the name of theirs (but those on layer 0). What a CAD program
+/// would not print is left out: invisible entities, and lines and curves on layers that are off or
+/// frozen, or called Defpoints, unless `options.layers` names the layer. Of lines and curves that
+/// run through space, polylines, too, x and y count.
 ///
 /// A curve becomes chords that turn by `options.chord_angle` at most and leave it by no more than
 /// `options.chord_error`, if that is given; arcs of one circle share their points, and their chords

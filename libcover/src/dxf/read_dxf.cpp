@@ -154,11 +154,11 @@ class DxfConverter {
     }
   }
 
-  /// A name that all segments have tells nothing.
+  /// A name that all segments have tells nothing, unless other files are joined with this one.
   void choose_layers() {
     std::set<std::string> layers;
     for (const Placed<DxfCurve>* curve : curves_) layers.insert(*curve->layer);
-    named_ = layers.size() > 1;
+    named_ = layers.size() > 1 || options_.is_one_of_several;
   }
 
   [[nodiscard]] double step_for(double radius) const {

@@ -293,6 +293,9 @@ TEST(ReadDxf, LayersNameSegmentsAndAreChosen) {
   const Input input = read(d.finish(), options);
   EXPECT_EQ(input.segments.size(), 72U);
   EXPECT_TRUE(input.segments[0].name.empty());  // as all are there
+  options.is_one_of_several = true;
+  EXPECT_EQ(read(d.finish(), options).segments[0].name, "stator");
+  options.is_one_of_several = false;
   EXPECT_TRUE(input.warnings.empty());
   options.layers = {"stator", "coil"};
   EXPECT_EQ(read(d.finish(), options).warnings,
