@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <cover/files.hpp>
 #include <cover/option_table.hpp>
+#include <cover/text.hpp>
 
 #include "arrays.hpp"
 #include "raise.hpp"
@@ -13,6 +17,29 @@ namespace py = pybind11;
 
 namespace cover::python {
 namespace {
+
+[[noreturn]] void refuse_option(std::string message) {
+  raise(Error{ErrorCode::bad_option, std::move(message), {}, {}});
+}
+
+/// The options of some tables as keywords.
+template <class... Tables>
+std::vector<std::string> keywords_of(const Tables&... tables) {
+  std::vector<std::string> keywords;
+  const auto add = [&](std::string_view name) {
+    keywords.emplace_back(name);
+    std::replace(keywords.back().begin(), keywords.back().end(), '-', '_');
+  };
+  const auto add_all = [&](const auto& table) {
+    for (const auto& entry : table) add(entry.name);
+  };
+  (add_all(tables), ...);
+  return keywords;
+}
+
+[[noreturn]] void refuse_keyword(const std::string& key, const std::vector<std::string>& known) {
+  refuse_option("unexpected option '" + key + "'" + did_you_mean(key, known));
+}
 
 /// numpy's numbers and arrays as Python's numbers and lists; all else as it is.
 py::object plain(const py::handle& value) {
@@ -80,8 +107,8 @@ class Value {
  private:
   [[noreturn]] void refuse_type(const py::handle& value) const {
     if (PyCallable_Check(value.ptr()) != 0 && key_.starts_with("size"))
-      throw py::type_error(key_ + ": a function of x and y is given as size_field");
-    throw py::type_error(key_ + ": " + shown(value) + " is not " + expected(entry_));
+      refuse_option(key_ + ": a function of x and y is given as size_field");
+    refuse_option(key_ + ": " + shown(value) + " is not " + expected(entry_));
   }
 
   /// "bound,max-angle" as on the command line.
@@ -230,7 +257,10 @@ Keywords options_from(const py::dict& keywords) {
   for (const auto& [name, value] : keywords) {
     const std::string key = py::str(name);
     const Named<Options> named = find_keyword(key);
-    if (named.entry == nullptr) throw py::type_error("unexpected option '" + key + "'");
+    if (named.entry == nullptr && Named<ReadOptions>::in(find_read_option, key).entry != nullptr)
+      refuse_option("unexpected option '" + key + "': it counts where files are read");
+    if (named.entry == nullptr)
+      refuse_keyword(key, keywords_of(option_table(), read_option_table()));
     const Value<Options> argument(key, *named.entry);
     if (value.ptr() == Py_False && !named.entry->alone.empty()) continue;
     for (const std::string& text : named.texts(argument, value)) {
@@ -260,7 +290,7 @@ Given<WriteOptions> write_options_from(const py::dict& keywords) {
   for (const auto& [name, value] : keywords) {
     const std::string key = py::str(name);
     if (!set_in(find_write_option, key, value, given))
-      throw py::type_error("unexpected option '" + key + "'");
+      refuse_keyword(key, keywords_of(write_option_table()));
   }
   return given;
 }

@@ -24,8 +24,8 @@ struct Keywords {
 /// Options of option_table() by their names with '_' for '-', and as the plural `sizes`, `sizes_at`
 /// and without the `no_`. None leaves one out.
 ///
-/// Raises: TypeError for a keyword that is none and a value of another kind, OptionError for a
-///         value that is not allowed.
+/// Raises: OptionError for a keyword that is none, and for a value of another kind or that is not
+///         allowed.
 Keywords options_from(const pybind11::dict& keywords);
 
 /// Options of reading or of writing, and which of them were given.

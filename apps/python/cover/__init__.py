@@ -28,8 +28,8 @@ class Error(Exception):
     inputs = ()
 
 
-class OptionError(Error, ValueError):
-    """A value that an option does not take."""
+class OptionError(Error, ValueError, TypeError):
+    """A value that an option does not take, or an option that there is not."""
 
 
 class OutOfMemory(Error, MemoryError):
