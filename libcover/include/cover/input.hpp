@@ -117,8 +117,8 @@ struct Input {
   std::string system{};
   std::vector<AskedName> asked{};  ///< filled where ReadOptions::is_one_of_several
   std::vector<PointName> point_names{};
-  /// Whether a face without a seed, where there are region seeds, may be a mistake, which is told
-  /// then: it is void or unnamed. Holes of a mesh that is read as geometry are meant.
+  /// Whether VoidRule::unseeded_faces may make a face void by mistake, which is told then. Holes of
+  /// a mesh that is read as geometry are meant.
   bool seeds_may_miss = false;
   /// What a drawing says of its unit where `unit` cannot be that, as "inches"; see units.hpp.
   std::string other_unit{};
