@@ -95,6 +95,30 @@ class Arcs(Case):
         self.run_cover('convert', 'b.vtk', '-o', 'c.msh', '--order', '2')
         self.assertIn('edges lie on arcs', self.run_cover('check', coax, 'c.msh', '--allow-split')[0])
 
+    def test_circles_that_touch_are_joined(self):
+        """Three rods in a row round a pocket, a tube with a wire inside that touches it, and a pipe on a floor."""
+        def circle(x, y, radius):
+            return {'circle': {'centre': [x, y], 'radius': radius, 'chord_error': 0.01}}
+
+        def disc(material, x, y, radius):
+            return {'material': material, 'rings': [[circle(x, y, radius)]]}
+
+        air = {'material': 'air', 'rings': [[[-6, -6], [6, -6], [6, 6], [-6, 6]]]}
+        turns = [0.3 + 2 * math.pi * k / 3 for k in range(3)]
+        rods = [disc('rod', 4 / 3**0.5 * math.cos(t), 4 / 3**0.5 * math.sin(t), 2) for t in turns]
+        tube = [disc('tube', 0, 0, 4), disc('wire', 2.5 * math.cos(0.9), 2.5 * math.sin(0.9), 1.5)]
+        floor = {'material': 'floor', 'rings': [[[-6, -6], [6, -6], [6, 0], [-6, 0]]]}
+        for name, parts, regions, places in (('rods', rods, 5, 3), ('tube', tube, 3, 1),
+                                             ('pipe', [floor, disc('pipe', 0.3, 0.7, 0.7)], 3, 1)):
+            self.write(f'{name}.json', json.dumps({'polygons': [air, *parts]}))
+            for options in [], ['--split-interfaces', '--box-method', '--order', '2']:
+                out, err = self.run_cover('mesh', f'{name}.json', *options, '-o', 'a.msh', '-o', 'a.json')
+                self.assertIn(f'{places} split: ', err)
+                self.assertIn(f' {regions} regions', out)
+                self.assertNotIn('stay straight', err)
+                self.assertIn('Every promise holds', self.run_cover('check', f'{name}.json', 'a.msh')[0])
+            self.assertIn('touches an arc of polygon', self.run_cover('mesh', f'{name}.json', '--strict', '-o', 'b.msh', code=3)[1])
+
     def test_check_looks_at_second_order_in_every_format(self):
         coax = SAMPLES / 'coax_arcs.json'
         names = ['a.msh', 'a.vtu', 'a.vtm', 'a.vtkhdf', 'a.xdmf', 'a.ele', 'a.inp', 'a.mesh']

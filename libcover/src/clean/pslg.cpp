@@ -2,8 +2,8 @@
 //
 //   gather -> weld, cut -> paint polygons -> drop what is hidden -> assemble -> seeds over polygons
 //
-// Before all that, arcs get ends of chords where other lines end on them, and where their chords
-// would cross those of arcs beside them.
+// Before all that, arcs get ends of chords where they touch, where other lines end on them, and
+// where their chords would cross those of arcs beside them.
 // Even-odd parity is kept by every stage, so it is enough to count it at the end, on the very edges
 // that are handed on: no face is lost or doubled by rounding.
 // Tested by tests/unit/clean/pslg_test.cpp and soup_test.cpp.
@@ -23,6 +23,7 @@
 #include "base/words/and_more.hpp"
 #include "clean/arcs/crossing_chords.hpp"
 #include "clean/arcs/meet_arcs.hpp"
+#include "clean/arcs/touching_arcs.hpp"
 #include "clean/change_report.hpp"
 #include "clean/check_input.hpp"
 #include "clean/check_pslg.hpp"
@@ -315,9 +316,13 @@ Result<Pslg> make_pslg(const Input& input, const Options& options, Report& repor
                  {},
                  {}};
   }
-  const auto met = meet_arcs(input, weld_of(input, options), report.changes, report.notes);
-  const Input& of_chords = met ? *met : input;
-  const auto parted = part_crossing_chords(of_chords, report.notes);
+  const double weld = weld_of(input, options);
+  TouchingCircles touching;
+  const auto joined = join_touching_arcs(input, weld, touching, report.changes);
+  const Input& with_places = joined ? *joined : input;
+  const auto met = meet_arcs(with_places, weld, report.changes, report.notes);
+  const Input& of_chords = met ? *met : with_places;
+  const auto parted = part_crossing_chords(of_chords, touching, report.notes);
   return make_pslg_of_chords(parted ? *parted : of_chords, options, report, whole, team);
 }
 

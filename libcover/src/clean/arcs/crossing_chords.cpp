@@ -29,11 +29,20 @@ constexpr int kMostHalvings = 4;
 constexpr int kMostInARow = 64;
 /// Of the way along a chord: how well it is known where circles touch, the root of rounding.
 constexpr double kTouching = 0x1p-20;
+/// Where one circle touches another from inside, the chord of the larger one leaves the tangent by
+/// at most so much of the angle by which that of the smaller one does: by less, but for rounding.
+constexpr double kPartOfAngle = 1 - 0x1p-10;
+
+/// The common end of two segments that differ.
+std::optional<Point> common_end(const InputChord& c, const InputChord& d) {
+  if (c.a == d.a || c.a == d.b) return c.a;
+  if (c.b == d.a || c.b == d.b) return c.b;
+  return std::nullopt;
+}
 
 /// Whether two segments without a common end have a point in common; not so if they lie on one
 /// line.
 bool cross_each_other(const InputChord& c, const InputChord& d) {
-  if (c.a == d.a || c.a == d.b || c.b == d.a || c.b == d.b) return false;
   const auto parts = [](const InputChord& line, const InputChord& ends) {
     const Sign one = orientation(line.a, line.b, ends.a),
                other = orientation(line.a, line.b, ends.b);
@@ -44,7 +53,8 @@ bool cross_each_other(const InputChord& c, const InputChord& d) {
 
 class ChordParter {
  public:
-  explicit ChordParter(const Input& input) : input_(input) {
+  ChordParter(const Input& input, const TouchingCircles& touching)
+      : input_(input), touching_(touching) {
     for (const InputChord& chord : chords_of(input)) {
       const auto origin = static_cast<std::uint32_t>(chords_.size());
       chords_.push_back(chord);
@@ -91,7 +101,7 @@ class ChordParter {
     notes.push_back(
         {Note::Kind::warning, kVoid,
          fmt::format(
-             "{} crossed chords of other arcs, though their arcs do not meet, the first at {}: {} "
+             "{} crossed chords of other arcs, though their arcs do not cross, the first at {}: {} "
              "cut on {}{}; finer chords keep them apart (a smaller --chord-angle or "
              "--chord-error of DXF, chord_error of JSON)",
              counted(where_.size(), "chord"), describe(where_.front()),
@@ -150,6 +160,7 @@ class ChordParter {
   /// Whether what is drawn of two circles meets. Where it does, chords cross too, though not always
   /// those below the very place, and that is as it should be.
   bool do_arcs_meet(std::uint32_t one, std::uint32_t other) {
+    if (touching_.contains(std::minmax(one, other))) return false;
     const auto [known, is_new] = do_meet_.try_emplace(std::minmax(one, other), false);
     if (!is_new) return known->second;
     const auto is_drawn = [&](std::uint32_t circle, Point p) {
@@ -168,13 +179,32 @@ class ChordParter {
 
   void look(std::uint32_t k, std::uint32_t j, std::vector<bool>& found) {
     const InputChord &c = pieces_[k].chord, &d = pieces_[j].chord;
-    if (c.circle == d.circle || !cross_each_other(c, d)) return;
+    if (c.circle == d.circle) return;
+    if (const auto end = common_end(c, d)) return look_at_touching(k, j, *end, found);
+    if (!cross_each_other(c, d)) return;
     if (do_arcs_meet(c.circle, d.circle)) return;
     const ArcOver over_c = arc_over(c), over_d = arc_over(d);
     const bool by_c = over_c.cuts_off(d.a) || over_c.cuts_off(d.b);
     const bool by_d = over_d.cuts_off(c.a) || over_d.cuts_off(c.b);
     if (by_c || !by_d) found[k] = true;
     if (by_d || !by_c) found[j] = true;
+  }
+
+  /// Chords from the point where one circle touches another from inside would lie on each other, or
+  /// change sides, if that of the larger one were no finer.
+  void look_at_touching(std::uint32_t k, std::uint32_t j, Point end, std::vector<bool>& found) {
+    const InputChord &c = pieces_[k].chord, &d = pieces_[j].chord;
+    if (!touching_.contains(std::minmax(c.circle, d.circle))) return;
+    const ArcCircle &one = input_.circles[c.circle - 1], &other = input_.circles[d.circle - 1];
+    if (dot(one.centre - end, other.centre - end) <= 0) return;
+    const Vector along_c = (c.a == end ? c.b : c.a) - end, along_d = (d.a == end ? d.b : d.a) - end;
+    if (dot(along_c, along_d) <= 0) return;
+    const double angle_c = length(along_c) / one.radius, angle_d = length(along_d) / other.radius;
+    if (one.radius > other.radius) {
+      if (angle_c > kPartOfAngle * angle_d) found[k] = true;
+    } else if (angle_d > kPartOfAngle * angle_c) {
+      found[j] = true;
+    }
   }
 
   /// False if none may be halved.
@@ -197,6 +227,7 @@ class ChordParter {
   }
 
   const Input& input_;
+  const TouchingCircles& touching_;
   std::vector<InputChord> chords_;  ///< as the input has them
   std::vector<Piece> pieces_;
   BoxTree arcs_;  ///< around the arcs over chords_
@@ -207,9 +238,10 @@ class ChordParter {
 
 }  // namespace
 
-std::optional<Input> part_crossing_chords(const Input& input, std::vector<Note>& notes) {
+std::optional<Input> part_crossing_chords(const Input& input, const TouchingCircles& touching,
+                                          std::vector<Note>& notes) {
   if (input.circles.empty()) return std::nullopt;
-  ChordParter parter(input);
+  ChordParter parter(input, touching);
   parter.run();
   const ChordCuts cuts = parter.cuts();
   parter.tell(cuts.size(), notes);

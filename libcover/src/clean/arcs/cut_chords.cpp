@@ -16,7 +16,11 @@ namespace {
 /// Puts points between the ends of chords.
 class ChordCutter {
  public:
-  ChordCutter(const Input& input, const ChordCuts& cuts) : cuts_(cuts), out_(input) {}
+  ChordCutter(const Input& input, const ChordCuts& cuts)
+      : cuts_(cuts),
+        has_straight_cuts_(std::any_of(cuts.begin(), cuts.end(),
+                                       [](const auto& cut) { return cut.first.circle == 0; })),
+        out_(input) {}
 
   Input cut() {
     cut_segments();
@@ -32,7 +36,7 @@ class ChordCutter {
  private:
   /// The points between a and b, in this order.
   [[nodiscard]] std::vector<Point> between(Point a, Point b, std::uint32_t circle) const {
-    const auto found = circle == 0 ? cuts_.end() : cuts_.find(chord_between(a, b, circle));
+    const auto found = cuts_.find(chord_between(a, b, circle));
     if (found == cuts_.end()) return {};
     std::vector<Point> points = found->second;
     if (b < a) std::reverse(points.begin(), points.end());
@@ -56,7 +60,7 @@ class ChordCutter {
   }
 
   void cut_path(std::vector<Point>& points, std::vector<std::uint32_t>& circles, bool is_closed) {
-    if (circles.empty()) return;
+    if (circles.empty() && !has_straight_cuts_) return;
     circles.resize(points.size());
     std::vector<Point> whole;
     std::vector<std::uint32_t> circle_of;
@@ -91,6 +95,7 @@ class ChordCutter {
   }
 
   const ChordCuts& cuts_;
+  bool has_straight_cuts_;
   Input out_;
   std::map<Point, std::uint32_t> indices_;
 };

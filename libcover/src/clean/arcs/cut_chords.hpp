@@ -36,7 +36,7 @@ ArcOver arc_over(const Input& input, const InputChord& chord);
 /// A box around that arc, wider by `more` on all sides.
 Box box_around_arc(const Input& input, const InputChord& chord, double more);
 
-/// By chord: points between its ends, in order from a to b.
+/// By chord, or straight line with circle 0: points between its ends, in order from a to b.
 using ChordCuts = std::map<InputChord, std::vector<Point>>;
 
 /// The input with every such chord cut at its points, all pieces being chords of the same circle.

@@ -16,11 +16,11 @@ class BoxTree {
   /// Cost: O(n log n)
   explicit BoxTree(std::span<const Box> boxes);
 
-  /// Calls visit(index) for every box that meets `box`, in an order that depends on the boxes
-  /// alone.
-  template <class Visit>
-  void visit(const Box& box, Visit&& visit) const {
-    if (!nodes_.empty()) descend(0, box, visit);
+  /// Calls visit(index) for every box that `shape` meets, in an order that depends on the boxes
+  /// alone. The shape is a Box, or has its meets(), true of a box around one that it meets.
+  template <class Shape, class Visit>
+  void visit(const Shape& shape, Visit&& visit) const {
+    if (!nodes_.empty()) descend(0, shape, visit);
   }
 
  private:
@@ -32,17 +32,17 @@ class BoxTree {
 
   std::uint32_t build(std::span<const Box> boxes, std::uint32_t first, std::uint32_t last);
 
-  template <class Visit>
-  void descend(std::uint32_t k, const Box& box, Visit& visit) const {
+  template <class Shape, class Visit>
+  void descend(std::uint32_t k, const Shape& shape, Visit& visit) const {
     const Node& node = nodes_[k];
-    if (!node.box.meets(box)) return;
+    if (!shape.meets(node.box)) return;
     if (node.count == 0) {
-      descend(k + 1, box, visit);
-      descend(node.first, box, visit);
+      descend(k + 1, shape, visit);
+      descend(node.first, shape, visit);
       return;
     }
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      if (boxes_[items_[i]].meets(box)) visit(items_[i]);
+      if (shape.meets(boxes_[items_[i]])) visit(items_[i]);
     }
   }
 

@@ -61,26 +61,26 @@ TEST(CrossingChords, ManySmallCirclesThatTouchOneAreLeftAlone) {
     testing::add_circle(input, {1.02 * std::cos(turn), 1.02 * std::sin(turn)}, 0.02, 16);
   }
   std::vector<Note> notes;
-  EXPECT_FALSE(part_crossing_chords(input, notes));
+  EXPECT_FALSE(part_crossing_chords(input, {}, notes));
   EXPECT_TRUE(notes.empty());
 }
 
 TEST(CrossingChords, CirclesThatAreNearlyOneAreToldAsCrossing) {
   const Input input = two_circles(1 - 1e-7, kHalfAChord / 3);
   std::vector<Note> notes;
-  ASSERT_TRUE(part_crossing_chords(input, notes));
+  ASSERT_TRUE(part_crossing_chords(input, {}, notes));
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_NE(notes[0].message.find(", of whose pieces "), std::string::npos) << notes[0].message;
 }
 
 TEST(CrossingChords, ArcsThatMeetOrLieApartAreLeftAlone) {
   std::vector<Note> notes;
-  EXPECT_FALSE(part_crossing_chords(two_circles(0.99), notes));
+  EXPECT_FALSE(part_crossing_chords(two_circles(0.99), {}, notes));
   Input across;  // circles that cross, and two that touch
   testing::add_circle(across, {0, 0}, 1, 12);
   testing::add_circle(across, {1.2, 0.1}, 1, 17);
   testing::add_circle(across, {-0.5, 0}, 0.5, 6);
-  EXPECT_FALSE(part_crossing_chords(across, notes));
+  EXPECT_FALSE(part_crossing_chords(across, {}, notes));
   EXPECT_TRUE(notes.empty());
 }
 
