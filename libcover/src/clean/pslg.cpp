@@ -319,6 +319,10 @@ Result<Pslg> make_pslg(const Input& input, const Options& options, Report& repor
   const double weld = weld_of(input, options);
   TouchingCircles touching;
   const auto joined = join_touching_arcs(input, weld, touching, report.changes);
+  const bool any_moved =
+      std::any_of(report.changes.begin(), report.changes.end(),
+                  [](const Change& c) { return c.kind == Change::Kind::welded; });
+  if (any_moved && options.strict) return *changes_as_error(input, report.changes);
   const Input& with_places = joined ? *joined : input;
   const auto met = meet_arcs(with_places, weld, report.changes, report.notes);
   const Input& of_chords = met ? *met : with_places;

@@ -264,6 +264,12 @@ TEST(TouchingArcs, EndsThatAreThereAreTaken) {
     EXPECT_EQ(one.input->points.size(), both.points.size());
     ASSERT_EQ(one.changes.size(), 1U);
     EXPECT_EQ(one.changes[0].kind, Change::Kind::welded);
+    Options strict;
+    strict.strict = true;
+    const Result<Prepared> refused = prepare(both, strict);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("are one now"), std::string::npos)
+        << refused.error().message;
   }
   const Result<Prepared> prepared = prepare(both);
   ASSERT_TRUE(prepared) << prepared.error().message;
