@@ -46,7 +46,7 @@ class RequirementNotMet(Error):
     mesh: the mesh that was made.
     """
 
-    mesh = None
+    mesh: "Mesh"
 
 
 from ._cover import Mesh, __version__, options as _options, read_options as _read_options, write_options as _write_options  # noqa: E402

@@ -68,6 +68,15 @@ std::size_t unused_points(const TriangleSoup& soup) {
   return static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
 }
 
+/// Of all edges, in an order that does not depend on that of the file.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_of(const std::vector<StoredEdge>& edges) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
+  ends.reserve(edges.size());
+  for (const StoredEdge& edge : edges) ends.emplace_back(std::minmax(edge.a, edge.b));
+  std::sort(ends.begin(), ends.end());
+  return ends;
+}
+
 /// What a mesh's own file and those beside it hold.
 class Completion {
  public:
@@ -154,10 +163,7 @@ class Completion {
     stored.soup = std::move(told.soup);
     stored.soup.material = material;
     if (named && !*named) return;
-    const auto same = [](const StoredEdge& a, const StoredEdge& b) {
-      return a.a == b.a && a.b == b.b;
-    };
-    if (named && std::ranges::equal(told.edges, stored.edges, same)) {
+    if (named && ends_of(told.edges) == ends_of(stored.edges)) {
       stored.arcs = std::move(told.arcs);
       stored.periodic = std::move(told.periodic);
       return;
