@@ -31,6 +31,7 @@
 #include "geom/curves/arc.hpp"
 #include "geom/curves/touch.hpp"
 #include "geom/foot.hpp"
+#include "geom/predicates.hpp"
 #include "geom/search/box_tree.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
@@ -307,6 +308,8 @@ class TouchFinder {
     const double same = std::min(room, touch->half_width(reach));
     const std::optional<Point> end_of_c = end_near(c, touch->at, same),
                                end_of_d = end_near(d, touch->at, same);
+    // An end of an arc that lies on a side is where polygons meet, as ends of straight sides do.
+    if (c.circle == 0 && end_of_d && orientation(c.a, c.b, *end_of_d) == Sign::zero) return;
     if (!end_of_c && !is_between_ends(c, touch->at)) return;
     if (!end_of_d && !is_between_ends(d, touch->at)) return;
     Place place{touch->at, c, d, touch->gap, reach, end_of_c || end_of_d, gap > rounding, 0, {}};

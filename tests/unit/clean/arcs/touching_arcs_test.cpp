@@ -277,6 +277,15 @@ TEST(TouchingArcs, EndsThatAreThereAreTaken) {
   EXPECT_EQ(straight_ones(prepared->pslg), 0U);
 }
 
+/// As a corner of a polygon that lies on a side of another one: nothing is changed by that.
+TEST(TouchingArcs, EndsThatLieOnASideAreLeftToIt) {
+  Input input;
+  add_circle(input, {0, 0}, 2, 4);
+  const Point end = input.points[3];
+  add_straight(input, {-5, end.y}, {5, end.y});
+  EXPECT_TRUE(finds_nothing(input));
+}
+
 TEST(TouchingArcs, ArcsThatEndBeforeThePlaceTouchNothing) {
   Input input = two_discs();
   std::erase_if(input.segments, [&](const InputSegment& s) {
