@@ -222,7 +222,7 @@ class TouchFinder {
     return is_new_on(place.one, place) || is_new_on(place.other, place);
   }
 
-  /// Of the arc; 0 at a, 1 at b.
+  /// Of the arc or line; 0 at a, 1 at b.
   [[nodiscard]] double share_of(const InputChord& chord, Point p) const {
     return chord.circle == 0 ? part_on_line(chord.a, chord.b, p)
                              : arc_over(input_, chord).share_of(p);
@@ -336,8 +336,7 @@ class TouchFinder {
   }
 
   [[nodiscard]] bool is_between_ends(const InputChord& chord, Point p) const {
-    const double share =
-        chord.circle == 0 ? part_on_line(chord.a, chord.b, p) : arc_over(input_, chord).share_of(p);
+    const double share = share_of(chord, p);
     return share > 0 && share < 1;
   }
 
