@@ -35,7 +35,7 @@ struct MeshLine {
 struct MeshFile {
   TriangleSoup soup;                ///< without materials where the format has groups alone
   std::vector<CellArray> arrays;    ///< VTK, .msh, .xdmf: every cell array of one number each
-  std::vector<MeshLine> lines;      ///< not of .vtu and .inp
+  std::vector<MeshLine> lines;      ///< not of .vtu
   std::vector<std::int64_t> group;  ///< per triangle: its physical group or element set; else empty
   std::map<std::int64_t, std::string> region_names;  ///< of groups, or of materials
   std::map<std::int64_t, std::string> line_names;    ///< of groups of lines

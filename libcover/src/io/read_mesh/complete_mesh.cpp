@@ -98,15 +98,18 @@ std::vector<Region> named_regions(const MeshFile& file, const TriangleSoup& soup
 }
 
 /// Whether cover would give this name to a line between regions by itself, as "Si_SiO2",
-/// "Si_outline" or "Si_slit_2".
+/// "Si_outline" or "Si_slit_2"; a deck of Abaqus has it in capitals.
 bool is_made_up(const std::string& name, const std::set<std::string>& regions) {
-  if (name == "hull") return true;
+  const auto is_word = [](const std::string& word) {
+    return word == "outline" || word == "slit" || word == "OUTLINE" || word == "SLIT";
+  };
+  if (name == "hull" || name == "HULL") return true;
   for (std::size_t k = name.find('_'); k != std::string::npos; k = name.find('_', k + 1)) {
     if (!regions.contains(name.substr(0, k))) continue;
     const std::string rest = name.substr(k + 1);
     const std::string bare = rest.substr(0, rest.find_last_of('_'));
     for (const std::string& other : {rest, bare})
-      if (other == "outline" || other == "slit" || regions.contains(other)) return true;
+      if (is_word(other) || regions.contains(other)) return true;
   }
   return false;
 }

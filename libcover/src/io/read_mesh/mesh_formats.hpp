@@ -22,7 +22,8 @@ Result<MeshFile> parse_msh_mesh(std::string_view text, const std::string& source
 Result<MeshFile> parse_medit(std::string_view text, const std::string& source);
 
 /// An Abaqus deck: nodes and triangles; each element set is a group, numbered as they come up.
-/// Triangles come in the order of their numbers. Node sets are not read: they do not tell edges.
+/// Triangles come in the order of their numbers. Surfaces are groups of lines: sides S1 to S3 of
+/// triangles. Node sets are not read: they do not tell edges.
 Result<MeshFile> parse_inp(std::string_view text, const std::string& source);
 
 /// XDMF with all numbers in the XML, as write_xdmf() has it: the grid `mesh` with its attributes

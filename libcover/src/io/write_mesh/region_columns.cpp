@@ -13,7 +13,7 @@
 namespace cover {
 namespace {
 
-constexpr std::size_t kCorners = 3;
+constexpr std::size_t kCornersEach = 3;
 constexpr std::uint8_t kTriangle = 5;  // as VTK has it
 /// Of a stretch: some ten megabytes of the file.
 constexpr std::size_t kTrianglesOfStretch = 1 << 17;
@@ -116,10 +116,10 @@ class Columns {
       case Column::corners:
         return write_corners(stretch, column.at);
       case Column::ends:
-        return of_triangles<std::int64_t>(stretch, column.at + sizeof(std::int64_t),
-                                          [](std::size_t, std::uint64_t t) {
-                                            return static_cast<std::int64_t>(kCorners * (t + 1));
-                                          });
+        return of_triangles<std::int64_t>(
+            stretch, column.at + sizeof(std::int64_t), [](std::size_t, std::uint64_t t) {
+              return static_cast<std::int64_t>(kCornersEach * (t + 1));
+            });
       case Column::types:
         return of_triangles<std::uint8_t>(stretch, column.at,
                                           [](std::size_t, std::uint64_t) { return kTriangle; });
@@ -173,7 +173,8 @@ class Columns {
   }
 
   void write_corners(const Stretch& stretch, std::uint64_t at) {
-    ColumnWriter out(file_, at + first_triangle_[stretch.first] * kCorners * sizeof(std::int64_t));
+    ColumnWriter out(file_,
+                     at + first_triangle_[stretch.first] * kCornersEach * sizeof(std::int64_t));
     of_spool<IndexTriple>(
         stretch, &RegionCounts::triangles,
         [&](std::size_t r, std::size_t first, std::span<IndexTriple> room) {

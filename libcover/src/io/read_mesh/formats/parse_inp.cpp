@@ -1,9 +1,10 @@
 // Lines of fields; a field that begins with a star is a keyword and its parameters follow. Blocks
-// other than nodes and triangles are passed over.
+// other than nodes, triangles, sets of elements and surfaces of their edges are passed over.
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <unordered_map>
 
 #include "io/read_mesh/mesh_collector.hpp"
@@ -20,10 +21,14 @@ std::string upper(std::string_view text) {
   return result;
 }
 
+/// Edges that surfaces may have, times those of all triangles: the same sets of elements can be
+/// named again and again.
+constexpr std::size_t kMostSurfaces = 16;
+
 class InpParser {
  public:
   InpParser(std::string_view text, const std::string& source)
-      : lines_(text, source, '\0', Separator::comma) {}
+      : lines_(text, source, '\0', Separator::comma), source_(source) {}
 
   Result<MeshFile> parse() {
     while (lines_.next()) {
@@ -35,6 +40,10 @@ class InpParser {
         read_node();
       } else if (block_ == Block::triangles) {
         read_triangle();
+      } else if (block_ == Block::set) {
+        read_set();
+      } else if (block_ == Block::surface) {
+        read_edges();
       }
     }
     if (lines_.failed()) return lines_.error();
@@ -42,7 +51,14 @@ class InpParser {
   }
 
  private:
-  enum class Block { other, nodes, triangles };
+  enum class Block { other, nodes, triangles, set, surface };
+
+  /// Numbers from the first to the last one by steps.
+  struct Range {
+    long first = 0;
+    long last = 0;
+    long step = 1;
+  };
 
   struct Element {
     long number = 0;
@@ -50,9 +66,18 @@ class InpParser {
     std::int64_t group = 0;
   };
 
+  /// The same edge of some elements on a surface.
+  struct Edges {
+    std::string elements;  ///< a number or the name of a set, which may be told later
+    std::size_t edge = 0;  ///< 0: of the first two nodes
+    std::int64_t surface = 0;
+  };
+
   void begin_block(const std::string& keyword) {
     block_ = Block::other;
     if (keyword == "*NODE") block_ = Block::nodes;
+    if (keyword == "*ELSET") begin_set();
+    if (keyword == "*SURFACE") begin_surface();
     if (keyword != "*ELEMENT") return;
     const std::string type = parameter("TYPE=");
     nodes_each_ = type.ends_with('6') ? 6 : 3;
@@ -63,6 +88,24 @@ class InpParser {
     const std::string set = parameter("ELSET=");
     group_ = groups_.emplace(set, static_cast<std::int64_t>(groups_.size()) + 1).first->second;
     if (!set.empty()) collector_.mesh.region_names.emplace(group_, set);
+  }
+
+  void begin_set() {
+    block_ = Block::set;
+    set_ = &sets_[parameter("ELSET=")];
+    const auto& fields = lines_.fields();
+    is_range_ = std::any_of(fields.begin(), fields.end(),
+                            [](std::string_view field) { return upper(field) == "GENERATE"; });
+  }
+
+  void begin_surface() {
+    const std::string type = parameter("TYPE=");
+    if (!type.empty() && type != "ELEMENT") return;
+    block_ = Block::surface;
+    const std::string name = parameter("NAME=");
+    surface_ =
+        surfaces_.emplace(name, static_cast<std::int64_t>(surfaces_.size()) + 1).first->second;
+    collector_.mesh.line_names.emplace(surface_, name);
   }
 
   [[nodiscard]] std::string parameter(std::string_view name) const {
@@ -98,6 +141,29 @@ class InpParser {
     if (!lines_.failed()) elements_.push_back(std::move(element));
   }
 
+  /// Numbers of elements; names of other sets are passed over.
+  void read_set() {
+    if (is_range_) {
+      const long step = lines_.fields().size() > 2 ? lines_.integer(2) : 1;
+      const Range range{lines_.integer(0), lines_.integer(1), step};
+      if (!lines_.failed() && step > 0) set_->push_back(range);
+      return;
+    }
+    for (const std::string_view field : lines_.fields()) {
+      if (const std::optional<long> number = parse_integer(field))
+        set_->push_back({*number, *number, 1});
+    }
+  }
+
+  /// Sides of other elements (of shells, say, or of bodies) are passed over.
+  void read_edges() {
+    if (lines_.fields().size() < 2) return;
+    const std::string side = upper(lines_.fields()[1]);
+    if (side.size() != 2 || side[0] != 'S' || side[1] < '1' || side[1] > '3') return;
+    edges_.push_back(
+        {upper(lines_.fields()[0]), static_cast<std::size_t>(side[1] - '1'), surface_});
+  }
+
   Result<MeshFile> finish() {
     std::stable_sort(elements_.begin(), elements_.end(),
                      [](const Element& a, const Element& b) { return a.number < b.number; });
@@ -105,14 +171,52 @@ class InpParser {
       collector_.add_triangle(element.nodes);
       collector_.mesh.group.push_back(element.group);
     }
+    for (const Edges& edges : edges_) {
+      add_lines(edges);
+      if (seen_ > 3 * kMostSurfaces * elements_.size())
+        return Error{ErrorCode::syntax,
+                     source_ + ": surfaces name the same edges of elements again and again",
+                     {},
+                     {}};
+    }
     return collector_.finish();
   }
 
+  void add_lines(const Edges& edges) {
+    if (const std::optional<long> number = parse_integer(edges.elements)) {
+      add_lines(edges, {*number, *number, 1});
+    } else if (const auto set = sets_.find(edges.elements); set != sets_.end()) {
+      for (const Range& range : set->second) add_lines(edges, range);
+    }
+  }
+
+  void add_lines(const Edges& edges, const Range& range) {
+    auto element =
+        std::lower_bound(elements_.begin(), elements_.end(), range.first,
+                         [](const Element& e, long number) { return e.number < number; });
+    for (; element != elements_.end() && element->number <= range.last; ++element) {
+      if (++seen_ > 3 * kMostSurfaces * elements_.size()) return;
+      if ((element->number - range.first) % range.step != 0) continue;
+      const std::size_t k = edges.edge;
+      std::vector<std::uint32_t> nodes{element->nodes[k], element->nodes[(k + 1) % 3]};
+      if (element->nodes.size() == 6) nodes.push_back(element->nodes[3 + k]);
+      collector_.add_line(nodes, edges.surface);
+    }
+  }
+
   FieldReader lines_;
+  std::string source_;
   Block block_ = Block::other;
   std::size_t nodes_each_ = 3;
   std::int64_t group_ = 0;
   std::map<std::string, std::int64_t> groups_;
+  bool is_range_ = false;
+  std::vector<Range>* set_ = nullptr;  ///< of the block that is read
+  std::map<std::string, std::vector<Range>> sets_;
+  std::int64_t surface_ = 0;
+  std::map<std::string, std::int64_t> surfaces_;
+  std::vector<Edges> edges_;
+  std::size_t seen_ = 0;  ///< elements looked at for surfaces
   std::unordered_map<long, std::uint32_t> index_;
   std::vector<Element> elements_;
   MeshCollector collector_;

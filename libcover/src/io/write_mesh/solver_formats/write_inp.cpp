@@ -1,8 +1,8 @@
 // Abaqus' input deck, as CalculiX and Elmer read it too: nodes, elements in one set per region
-// group, nodes of each group of lines or points in a set. Names of sets are case-insensitive and
-// begin with a letter. Both programs read the first 20 characters of a number and no more, so a
-// coordinate that is longer would lose its exponent: it is rounded to the digits that fit. A mesh
-// that has triangles too thin for that is refused.
+// group, nodes of each group of lines or points in a set, and the edges of each group of lines as a
+// surface. Names of sets are case-insensitive and begin with a letter. Both programs read the first
+// 20 characters of a number and no more, so a coordinate that is longer would lose its exponent: it
+// is rounded to the digits that fit. A mesh that has triangles too thin for that is refused.
 //
 // Tested by tests/unit/io/write_mesh/solver_formats/write_inp_test.cpp and, in CalculiX, by
 // tests/solvers.
@@ -19,6 +19,7 @@
 #include "base/containers/buckets.hpp"
 #include "base/containers/order.hpp"
 #include "geom/predicates.hpp"
+#include "geom/topology/corner.hpp"
 #include "io/files/text_writer.hpp"
 #include "io/write_mesh/check_format.hpp"
 
@@ -118,6 +119,55 @@ void write_node_sets(const MeshView& view, TextWriter& out) {
   for (std::size_t g = 0; g < named.size(); ++g) write(names[sets.size() + g], named[g]);
 }
 
+/// By line: three times the number of the triangle on its left, and which of its edges the line is,
+/// from 0 for that of the first two corners on.
+std::vector<std::size_t> faces_of_lines(const MeshView& view) {
+  using Ends = std::array<std::uint32_t, 2>;
+  const auto ends = [&](std::size_t l) { return Ends{view.lines[l][0], view.lines[l][1]}; };
+  const auto order = sorted_numbers<std::size_t>(
+      view.lines.size(), [&](std::size_t k, std::size_t l) { return ends(k) < ends(l); });
+  std::vector<std::size_t> faces(order.size());
+  for (std::size_t t = 0; t < view.triangles.size(); ++t) {
+    for (const Corner i : kCorners) {
+      const Ends edge{view.triangles[t][i], view.triangles[t][i.next()]};
+      const auto at =
+          std::lower_bound(order.begin(), order.end(), edge,
+                           [&](std::size_t l, const Ends& wanted) { return ends(l) < wanted; });
+      if (at != order.end() && ends(*at) == edge) faces[*at] = 3 * t + i;
+    }
+  }
+  return faces;
+}
+
+/// A surface for each group of lines, of one set of elements for each of the edges that they have
+/// on it, as Abaqus/CAE writes them. CalculiX takes these sets for loads on edges.
+void write_surfaces(const MeshView& view, TextWriter& out) {
+  const std::vector<std::string> surfaces = abaqus_names(node_sets(view));
+  std::vector<Group> groups = view.region_groups;
+  for (const Group& lines : view.line_groups) {
+    for (const Corner i : kCorners) {
+      groups.push_back(lines);
+      groups.back().name += fmt::format("_S{}", i + 1);
+      groups.back().is_made_up = true;
+    }
+  }
+  const std::vector<std::string> sets = abaqus_names(groups);
+  const std::vector<std::size_t> faces = faces_of_lines(view);
+  const Buckets lines(3 * view.line_groups.size(), faces.size(),
+                      [&](std::size_t l) { return 3 * view.line_group[l] + faces[l] % 3; });
+  for (std::size_t g = 0; g < view.line_groups.size(); ++g) {
+    std::string surface;
+    for (const Corner i : kCorners) {
+      if (lines[3 * g + i].empty()) continue;
+      const std::string& set = sets[view.region_groups.size() + 3 * g + i];
+      out << "*ELSET, ELSET=" << set << '\n';
+      for (const std::size_t l : lines[3 * g + i]) out << faces[l] / 3 + 1 << ",\n";
+      surface += fmt::format("{}, S{}\n", set, i + 1);
+    }
+    if (!surface.empty()) out << "*SURFACE, TYPE=ELEMENT, NAME=" << surfaces[g] << '\n' << surface;
+  }
+}
+
 }  // namespace
 
 Point rounded_by_inp(Point p) { return {read_back(p.x), read_back(p.y)}; }
@@ -140,6 +190,8 @@ Status write_inp(const Output& output, const std::string& path, const WriteOptio
     }
     write_elements(view, options.inp_element, out);
     write_node_sets(view, out);
+    // What edges of shells are called, Abaqus and CalculiX do not agree on.
+    if (options.inp_element != "S") write_surfaces(view, out);
   });
 }
 

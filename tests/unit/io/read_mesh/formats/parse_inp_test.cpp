@@ -1,6 +1,7 @@
 // Abaqus decks as other programs write them.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 
 #include "io/read_mesh/mesh_formats.hpp"
@@ -49,6 +50,31 @@ TEST(ParseInp, OfSixNodesTheCornersAreTaken) {
   ASSERT_TRUE(mesh) << mesh.error().message;
   EXPECT_TRUE(mesh->second_order);
   EXPECT_EQ(mesh->soup.points.size(), 3U);
+}
+
+TEST(ParseInp, SurfacesAreLines) {
+  const auto mesh = inp_mesh(kInpNodes +
+                             "*ELEMENT, TYPE=CPS3, ELSET=ALL\n1, 10, 20, 30\n2, 20, 40, 30\n"
+                             "*Elset, elset=both, generate\n1, 2\n"
+                             "*SURFACE, NAME=Edge\nboth, S2\n1, S1\nnone, S3\n"
+                             "*SURFACE, NAME=Nodes, TYPE=NODE\n10\n"
+                             "*SURFACE, TYPE=ELEMENT, NAME=Shell\n1, SPOS\n");
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  ASSERT_EQ(mesh->lines.size(), 3U);
+  const std::array<std::array<std::uint32_t, 2>, 3> ends{{{1, 2}, {3, 2}, {0, 1}}};
+  for (std::size_t l = 0; l < 3; ++l) {
+    EXPECT_EQ((std::array{mesh->lines[l].a, mesh->lines[l].b}), ends[l]);
+    EXPECT_EQ(mesh->line_names.at(mesh->lines[l].group), "EDGE");
+  }
+}
+
+TEST(ParseInp, SurfacesThatNameTheSameEdgesAgainAndAgainAreRefused) {
+  std::string text = kInpNodes +
+                     "*ELEMENT, TYPE=CPS3\n1, 10, 20, 30\n2, 20, 40, 30\n"
+                     "*ELSET, ELSET=ALL\n1, 2\n*SURFACE, NAME=A\n";
+  EXPECT_TRUE(inp_mesh(text + "ALL, S1\nALL, S2\nALL, S3\n"));
+  for (int k = 0; k < 100; ++k) text += "ALL, S1\n";
+  EXPECT_EQ(refusal_of_inp(text), ErrorCode::syntax);
 }
 
 TEST(ParseInp, ANodeThatIsNotGivenIsRefused) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include <cover/mesh_view.hpp>
+#include <cover/read_mesh.hpp>
 #include <cover/write_mesh.hpp>
 
 #include "support/temporary_folder.hpp"
@@ -21,6 +23,8 @@ struct Deck {
   WrittenMesh mesh;  ///< triangles numbered by their set, from 1
   std::vector<std::string> element_types;
   std::map<std::string, std::set<std::uint32_t>> node_sets;
+  std::map<std::string, std::set<std::uint32_t>> element_sets;
+  std::map<std::string, std::vector<std::pair<std::string, int>>> surfaces;  ///< sets and edges
   std::size_t longest_number = 0;
 };
 
@@ -56,6 +60,10 @@ Deck parse_inp_text(const std::string& path) {
       cell.number = static_cast<long>(deck.element_types.size());
       for (std::size_t k = 1; k < fields.size(); ++k)
         cell.nodes.push_back(static_cast<std::uint32_t>(std::stol(fields[k]) - 1));
+    } else if (card == "*ELSET") {
+      deck.element_sets[set].insert(static_cast<std::uint32_t>(std::stol(fields[0]) - 1));
+    } else if (card == "*SURFACE") {
+      deck.surfaces[set].emplace_back(fields[0], fields[1][1] - '1');
     } else {
       EXPECT_EQ(card, "*NSET");
       deck.node_sets[set].insert(static_cast<std::uint32_t>(std::stol(fields[0]) - 1));
@@ -133,6 +141,78 @@ TEST_F(WriteInp, NamesHaveAtMostEightyCharacters) {
       deck.mesh.region_names,
       (std::map<long, std::string>{{1, std::string(80, 'A')}, {2, std::string(78, 'A') + "_2"}}));
   EXPECT_TRUE(deck.node_sets.contains("X" + std::string(79, '1')));
+}
+
+/// By surface, the edges of its triangles as they run around these.
+std::map<std::string, std::set<std::pair<std::uint32_t, std::uint32_t>>> edges_of_surfaces(
+    const Deck& deck) {
+  std::map<std::string, std::set<std::pair<std::uint32_t, std::uint32_t>>> edges;
+  for (const auto& [name, sides] : deck.surfaces) {
+    for (const auto& [set, edge] : sides) {
+      for (const std::uint32_t t : deck.element_sets.at(set)) {
+        const auto& nodes = deck.mesh.triangles[t].nodes;
+        const auto k = static_cast<std::size_t>(edge);
+        EXPECT_TRUE(edges[name].emplace(nodes[k], nodes[(k + 1) % 3]).second);
+      }
+    }
+  }
+  return edges;
+}
+
+TEST_F(WriteInp, LinesAreSurfacesOfPlaneElements) {
+  WriteOptions options;
+  options.inp_element = "CPE";
+  for (const int order : {1, 2}) {
+    options.order = order;
+    const MeshView view = view_of(output_, options);
+    std::map<std::string, std::set<std::pair<std::uint32_t, std::uint32_t>>> expected;
+    const std::vector<std::string> names = abaqus_names(node_sets(view));
+    for (std::size_t l = 0; l < view.lines.size(); ++l)
+      expected[names[view.line_group[l]]].emplace(view.lines[l][0], view.lines[l][1]);
+    ASSERT_GE(expected.size(), 3U);
+    EXPECT_EQ(edges_of_surfaces(written(options)), expected);
+  }
+}
+
+TEST_F(WriteInp, EdgesOfShellsAreNoSurfaces) {
+  // Abaqus calls them E1, CalculiX S3.
+  const Deck deck = written({});
+  EXPECT_TRUE(deck.surfaces.empty());
+  EXPECT_TRUE(deck.element_sets.empty());
+}
+
+TEST_F(WriteInp, ASetOfEdgesHasNoNameOfARegion) {
+  output_ = testing::structured_mesh(2, 1);
+  output_.table.regions[0].name = "gate_s1";
+  output_.table.interfaces[0].name = "gate";
+  WriteOptions options;
+  options.inp_element = "CPS";
+  const Deck deck = written(options);
+  EXPECT_EQ(deck.mesh.region_names.at(1), "GATE_S1");
+  EXPECT_FALSE(deck.element_sets.contains("GATE_S1"));
+  EXPECT_TRUE(deck.surfaces.contains("GATE"));
+}
+
+TEST_F(WriteInp, SurfacesAreReadAsLines) {
+  WriteOptions options;
+  options.inp_element = "CAX";
+  for (const int order : {1, 2}) {
+    options.order = order;
+    ASSERT_TRUE(write_inp(output_, path_, options));
+    const Result<Output> read = read_output(path_);
+    ASSERT_TRUE(read) << read.error().message;
+    std::map<std::string, std::size_t> edges, expected;
+    const auto count = [](const Output& output, auto& by_name) {
+      for (const auto e : output.mesh.tri().edges()) {
+        const InterfaceId id = output.mesh.interface(e);
+        if (id != kNoInterface) ++by_name[output.table.interface(id).name];
+      }
+    };
+    count(*read, edges);
+    count(output_, expected);
+    EXPECT_EQ(edges.at("GATE"), expected.at("gate"));
+    EXPECT_EQ(edges.at("DRAIN_CONTACT"), expected.at("drain contact"));
+  }
 }
 
 TEST_F(WriteInp, PlaneElementsOfSecondOrder) {
