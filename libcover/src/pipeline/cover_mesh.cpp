@@ -48,7 +48,7 @@ Status cut_regions(Work& work, const Options& options, const Callbacks& callback
   return cut_until_met(work, options, callbacks);
 }
 
-Status look_at_cuts(Work& work, const Options& /*options*/, const Callbacks& /*callbacks*/) {
+Status look_at_cuts(Work& work, const Options& options, const Callbacks& /*callbacks*/) {
   Status apart = errors_as_values("check cuts", [&]() -> Status {
     for (const PeriodicRule& rule : work.rules) {
       Result<std::size_t> pairs = verify_periodic_sides(work.pslg, work.table, rule);
@@ -57,7 +57,7 @@ Status look_at_cuts(Work& work, const Options& /*options*/, const Callbacks& /*c
                      pairs.error().inputs};
     }
     Status sound = check_cuts(work.pslg, work.table, work.report.input_points);
-    if (sound) warn_of_needles(work, work.report.notes);
+    if (sound) warn_of_needles(work, options, work.report.notes);
     return sound;
   });
   if (apart) warn_of_straight_arcs(work.pslg, work.report.notes);

@@ -81,6 +81,11 @@ SizeFunction background_of(const RegionBoundary& boundary, const Options& option
   return smaller_of(no_smaller_than(options.min_size, options.size_field), boundary.size_function);
 }
 
+bool has_sizes(const RegionBoundary& boundary, const Options& options) {
+  return boundary.size > 0 || !boundary.size_at.empty() || boundary.size_function ||
+         options.size_field;
+}
+
 SizeField::SizeField(const RegionBoundary& boundary, const Triangulation& cdt,
                      std::optional<double> growth, SizeFunction background,
                      const BeforeCuts& before)

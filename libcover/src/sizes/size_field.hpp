@@ -22,6 +22,9 @@ SizeFunction smaller_of(SizeFunction a, SizeFunction b);
 /// RegionBoundary::size_function.
 SizeFunction background_of(const RegionBoundary& boundary, const Options& options);
 
+/// Whether sizes are asked for in a region: its own, those of points or those of the background.
+bool has_sizes(const RegionBoundary& boundary, const Options& options);
+
 /// What was before sides were cut: neither cuts nor the lengths of pieces are wishes.
 struct BeforeCuts {
   VertexId first_cut{kNone};          ///< vertices from this one on are cuts

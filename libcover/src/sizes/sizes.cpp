@@ -294,10 +294,9 @@ void warn_of_sizes(const Pslg& pslg, const Options& options,
     return length(pslg.points[segment.b.index()] - pslg.points[segment.a.index()]);
   };
   for (const RegionBoundary& boundary : boundaries) {
-    const bool has_wishes = boundary.size > 0 || boundary.size_function ||
-                            !boundary.size_at.empty() || options.size_field;
+    if (!has_sizes(boundary, options)) continue;
     std::size_t long_sides = 0;
-    for (std::size_t s = 0; has_wishes && s < boundary.sides.size(); ++s) {
+    for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
       const std::size_t segment = boundary.segments[s].index();
       if (boundary.segments[s] == kHullSide) continue;
       const auto& [a, b] = boundary.sides[s];
@@ -308,7 +307,7 @@ void warn_of_sizes(const Pslg& pslg, const Options& options,
       is_long[segment] = true;
       if (!is_long[longest] || length_of(segment) > length_of(longest)) longest = segment;
     }
-    if (has_wishes && long_sides == boundary.sides.size()) ++unrefined;
+    if (long_sides == boundary.sides.size()) ++unrefined;
   }
   const auto count = static_cast<std::size_t>(std::count(is_long.begin(), is_long.end(), true));
   if (count == 0) return;

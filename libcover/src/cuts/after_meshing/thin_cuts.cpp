@@ -25,6 +25,7 @@
 #include "geom/cotangent.hpp"
 #include "geom/vector.hpp"
 #include "mend/thin_mesh.hpp"
+#include "sizes/size_field.hpp"
 #include "tasks/errors_as_values.hpp"
 
 namespace cover {
@@ -365,9 +366,8 @@ bool wants_thinning(const Prepared& prepared, const std::vector<RegionBoundary>&
   return options.split_interfaces && options.method == Method::quality &&
          options.max_angle == Angle::degrees(90) && options.layers.empty() && !options.growth &&
          prepared.table.hull_sides.empty() && pslg.periodic.empty() &&
-         std::all_of(boundaries.begin(), boundaries.end(), [](const RegionBoundary& b) {
-           return b.size == 0 && b.size_at.empty() && !b.size_function;
-         });
+         std::none_of(boundaries.begin(), boundaries.end(),
+                      [&](const RegionBoundary& b) { return has_sizes(b, options); });
 }
 
 Status thin_cuts(Work& work, const Options& options, const Callbacks& callbacks) {

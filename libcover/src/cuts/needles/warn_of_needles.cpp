@@ -21,6 +21,7 @@
 #include "geom/topology/corner.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
+#include "sizes/size_field.hpp"
 
 namespace cover {
 namespace {
@@ -73,13 +74,11 @@ Least least_of(const Triangulation& cdt) {
   return least;
 }
 
-bool has_sizes(const RegionBoundary& boundary) {
-  return boundary.size > 0 || !boundary.size_at.empty() || boundary.size_function;
-}
-
 /// What is told of all regions.
 class Findings {
  public:
+  explicit Findings(const Options& options) : options_(options) {}
+
   void add(const RegionBoundary& boundary, const RegionMesh& mesh, const Least& now,
            const Least& before) {
     const double limit = std::min(Angle::degrees(kSharp).in_radians(), kFarBelow * before.angle);
@@ -88,7 +87,7 @@ class Findings {
       if (now.angle < sharpest_.angle)
         sharpest_ = now, region_ = boundary.id, angle_before_ = before.angle;
     }
-    if (!has_sizes(boundary) && now.distance < kFarNearer * before.distance &&
+    if (!has_sizes(boundary, options_) && now.distance < kFarNearer * before.distance &&
         now.distance < nearest_.distance)
       nearest_ = now, region_of_nearest_ = boundary.id, distance_before_ = before.distance;
   }
@@ -130,6 +129,7 @@ class Findings {
         }));
   }
 
+  const Options& options_;
   std::size_t sharp_ = 0;
   Least sharpest_, nearest_;
   RegionId region_, region_of_nearest_;
@@ -207,13 +207,13 @@ class Uncut {
 
 }  // namespace
 
-void warn_of_needles(const Work& work, std::vector<Note>& notes) {
+void warn_of_needles(const Work& work, const Options& options, std::vector<Note>& notes) {
   const std::size_t first = work.report.input_points;
   if (work.pslg.points.size() == first || !work.pslg.periodic.empty()) return;
   const std::vector<Suspect> suspects = suspects_of(work);
   if (suspects.empty()) return;
   Uncut uncut(work);
-  Findings findings;
+  Findings findings(options);
   for (const Suspect& s : suspects)
     findings.add(work.boundaries[s.region], work.meshes[s.region], s.least,
                  uncut.least_around(s.region));

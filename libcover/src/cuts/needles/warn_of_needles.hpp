@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include <cover/options.hpp>
 #include <cover/report.hpp>
 
 #include "cuts/work.hpp"
@@ -16,6 +17,6 @@ namespace cover {
 ///
 /// REQUIRES: `work` is in step, and its meshes are measured
 /// Cost:     O(n); O(n log n) where there may be something to tell
-void warn_of_needles(const Work& work, std::vector<Note>& notes);
+void warn_of_needles(const Work& work, const Options& options, std::vector<Note>& notes);
 
 }  // namespace cover

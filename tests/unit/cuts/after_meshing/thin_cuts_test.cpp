@@ -228,6 +228,12 @@ TEST(ThinCuts, VerticesThatSizesAskedForStay) {
   Options options = no_obtuse_angle();
   options.sizes.push_back({"", 0.05});
   EXPECT_EQ(note_of(mesh_of(testing::checker(2, 2, 1), options)), nullptr);
+  const std::size_t by_size = mesh_of(testing::checker(2, 2, 1), options).mesh.tri().n_faces();
+  options = no_obtuse_angle();
+  options.size_field = [](Point) { return 0.05; };
+  const Output by_field = mesh_of(testing::checker(2, 2, 1), options);
+  EXPECT_EQ(note_of(by_field), nullptr);
+  EXPECT_GT(2 * by_field.mesh.tri().n_faces(), by_size);
   options = no_obtuse_angle();
   options.max_angle = Angle::degrees(85);
   EXPECT_EQ(note_of(mesh_of(testing::checker(2, 2, 1), options)), nullptr);

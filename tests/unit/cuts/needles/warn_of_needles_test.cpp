@@ -28,7 +28,7 @@ std::vector<Note> told_of_cut(const Input& input, std::size_t s, double from_a,
   EXPECT_TRUE(meshes) << meshes.error().message;
   work.meshes = *std::move(meshes);
   std::vector<Note> notes;
-  warn_of_needles(work, notes);
+  warn_of_needles(work, options, notes);
   return notes;
 }
 
@@ -52,12 +52,15 @@ TEST(WarnOfNeedles, SaysNothingOfCutsAsFarApartAsTheRest) {
 }
 
 TEST(WarnOfNeedles, SaysNothingOfShortPiecesThatSizesAskFor) {
-  Options options;
-  options.sizes = {{"", 5, false}};
-  const std::vector<Note> notes = told_of_cut(square(), 0, 1e-6, options);
-  EXPECT_TRUE(std::none_of(notes.begin(), notes.end(), [](const Note& note) {
-    return note.message.find("two vertices") != std::string::npos;
-  }));
+  Options by_size, by_field;
+  by_size.sizes = {{"", 5, false}};
+  by_field.size_field = [](Point) { return 5.0; };
+  for (const Options& options : {by_size, by_field}) {
+    const std::vector<Note> notes = told_of_cut(square(), 0, 1e-6, options);
+    EXPECT_TRUE(std::none_of(notes.begin(), notes.end(), [](const Note& note) {
+      return note.message.find("two vertices") != std::string::npos;
+    }));
+  }
 }
 
 TEST(WarnOfNeedles, SaysNothingWhereTheRegionBesideIsAsNarrow) {
