@@ -122,6 +122,21 @@ class Convert(Case):
         self.assertIn('neither d.json nor d.vtm is there', err)
         self.assertIn('e.vtm', self.files())
 
+    def test_a_curve_of_a_msh_is_the_image_of_one_other(self):
+        # The materials meet the periodic sides at different heights.
+        ring = [[[0, 0], [4, 0], [4, 1.25], [0, 1]], [[0, 1], [4, 1.25], [4, 2], [0, 2]]]
+        self.write('x.json', json.dumps({
+            'polygons': [{'material': m, 'rings': [r]} for m, r in zip('ab', ring)], 'periodic': [['left', 'right']],
+            'lines': [{'name': name, 'points': [[x, 0], [x, 2]]} for name, x in (('left', 0), ('right', 4))]}))
+        for version in ('2.2', '4.1'):
+            self.run_cover('mesh', 'x.json', '--split-interfaces', '--size', '0.25', '--msh', version, '-o', 'x.msh', '-q')
+            lines = (self.dir / 'x.msh').read_text().partition('$Periodic')[2].splitlines()
+            links = [line.split()[1:] for line in lines if line.startswith('1 ') and len(line.split()) == 3]
+            self.assertEqual(len({image for image, _ in links}), len(links))
+            self.assertNotIn('periodic', self.run_cover('convert', 'x.msh', '-o', 'y.msh', '-o', 'y.json')[1])
+            rule, = json.loads((self.dir / 'y.json').read_text())['periodic']
+            self.assertGreaterEqual(len(rule['edges']), 8)
+
     def test_periodic_pairs_need_the_manifest_or_a_msh(self):
         def section(name):
             return (self.dir / name).read_text().partition('$Periodic')[2].partition('$EndPeriodic')[0]

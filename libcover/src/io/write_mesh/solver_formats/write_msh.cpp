@@ -1,7 +1,8 @@
 // gmsh's .msh in text. Version 2.2 is what most solvers read, 4.1 what gmsh itself prefers; the
 // elements are the same. In 2.2 every face is an elementary surface, and every interface an
 // elementary curve of its own, or several where boundary markers divide it into groups, because
-// gmsh takes a curve for part of every group that one of its elements names; in 4.1 there is one
+// gmsh takes a curve for part of every group that one of its elements names, or where its periodic
+// images lie on several, because gmsh takes a curve for the image of one other; in 4.1 there is one
 // entity per physical group and its tag is that of the group, because getfem takes the one for the
 // other.
 //
@@ -11,6 +12,9 @@
 #include <array>
 #include <map>
 #include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include <cover/mesh_view.hpp>
 
@@ -101,24 +105,53 @@ class MshWriter : MshSections {
 
  private:
   /// The elementary tag of each line: its InterfaceId, or the one after the last for the hull, or
-  /// one after that where the interface lies in another group too.
+  /// one after that where the interface lies in another group or is divided, see curve_of_lines().
   [[nodiscard]] std::vector<std::size_t> curves() const {
     const std::size_t hull = table_.interfaces.size() + 1;
     std::size_t last = hull;
     std::vector<std::uint8_t> taken(hull + 1);
-    std::vector<std::size_t> tags(view_.lines.size());
+    const std::vector<std::size_t> curve = curve_of_lines();
+    std::vector<std::size_t> tags(view_.lines.size()), tag_of_curve;
     for (std::size_t l = 0; l < tags.size(); ++l) {
-      const auto same = [&](const auto& of) { return l > 0 && of[l] == of[l - 1]; };
-      if (same(view_.line_group) && same(view_.interface)) {
-        tags[l] = tags[l - 1];
-        continue;
+      if (curve[l] == tag_of_curve.size()) {
+        const std::size_t own =
+            view_.interface[l] == kNoInterface ? hull : view_.interface[l].index();
+        tag_of_curve.push_back(taken[own] == 0 ? own : ++last);
+        taken[own] = 1;
       }
-      const std::size_t own =
-          view_.interface[l] == kNoInterface ? hull : view_.interface[l].index();
-      tags[l] = taken[own] == 0 ? own : ++last;
-      taken[own] = 1;
+      tags[l] = tag_of_curve[curve[l]];
     }
     return tags;
+  }
+
+  /// The lines of one interface in one group, as numbers in the order in which they first come;
+  /// divided where their images or originals lie on several of these: gmsh knows a curve as the
+  /// image of one other.
+  [[nodiscard]] std::vector<std::size_t> curve_of_lines() const {
+    const std::size_t n = view_.lines.size();
+    // By rule, 0 for an original and 1 for an image, and the curve of the other.
+    using Partners = std::vector<std::array<std::size_t, 3>>;
+    std::vector<std::size_t> curve(n);
+    for (std::size_t before = 0;;) {
+      std::vector<Partners> partners(n);
+      for (std::size_t r = 0; before > 0 && r < view_.periodic.size(); ++r) {
+        for (const auto& [from, to] : view_.periodic[r].lines) {
+          partners[from].push_back({r, 0, curve[to]});
+          partners[to].push_back({r, 1, curve[from]});
+        }
+      }
+      std::map<std::tuple<std::size_t, std::uint32_t, InterfaceId, Partners>, std::size_t> numbers;
+      for (std::size_t l = 0; l < n; ++l) {
+        std::sort(partners[l].begin(), partners[l].end());
+        curve[l] = numbers
+                       .try_emplace({curve[l], view_.line_group[l], view_.interface[l],
+                                     std::move(partners[l])},
+                                    numbers.size())
+                       .first->second;
+      }
+      if (numbers.size() == before || view_.periodic.empty()) return curve;
+      before = numbers.size();
+    }
   }
 
   /// The node of a point's element.
