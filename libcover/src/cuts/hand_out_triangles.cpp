@@ -15,6 +15,7 @@ void hand_out_triangles(const JoinedMesh& mesh, std::span<const RegionBoundary> 
       on_boundary[boundary.vertices[v].index()] = v;
     part.steiner.clear();
     part.triangles.clear();
+    part.limits_are_old = true;
     const auto in_region = [&](std::uint32_t v) {
       if (mesh.id[v] != kNone) return on_boundary[mesh.id[v]];
       if (inside[v] == kNone) {

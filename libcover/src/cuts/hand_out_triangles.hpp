@@ -25,7 +25,7 @@ struct JoinedMesh {
 /// come.
 ///
 /// REQUIRES: each region of `meshes` has its boundary; ids are below `ids`
-/// ENSURES:  reports are as before
+/// ENSURES:  reports are as before, with limits that are old
 /// Cost:     O(n)
 void hand_out_triangles(const JoinedMesh& mesh, std::span<const RegionBoundary> boundaries,
                         std::size_t ids, std::span<RegionMesh> meshes);

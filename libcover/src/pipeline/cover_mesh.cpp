@@ -48,6 +48,10 @@ Status cut_regions(Work& work, const Options& options, const Callbacks& callback
   return cut_until_met(work, options, callbacks);
 }
 
+Status prove_limits(Work& work, const Options& options, const Callbacks& callbacks) {
+  return prove_old_limits(work.boundaries, options, callbacks, work.meshes);
+}
+
 Status look_at_cuts(Work& work, const Options& options, const Callbacks& /*callbacks*/) {
   Status apart = errors_as_values("check cuts", [&]() -> Status {
     for (const PeriodicRule& rule : work.rules) {
@@ -81,7 +85,7 @@ Result<Output> mesh_input(AnyInput&& input, const Options& asked, const Callback
 Result<Output> finish_work(Work work, const Options& options, const Callbacks& callbacks,
                            StageClock& clock) {
   for (const auto step : {mesh_each_region, cut_regions, mesh_with_closed_clefts, cut_until_coupled,
-                          thin_cuts, cut_what_is_left, look_at_cuts})
+                          thin_cuts, cut_what_is_left, prove_limits, look_at_cuts})
     if (Status status = step(work, options, callbacks); !status) return std::move(status).error();
   clock.note("mesh", work.report.times);
   return stitch_regions(std::move(work), callbacks, clock);

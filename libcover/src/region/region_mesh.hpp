@@ -20,6 +20,7 @@ struct RegionMesh {
   std::size_t layer_triangles = 0;  ///< the first so many are those of layers, but for flips
   std::size_t layer_vertices = 0;   ///< the first so many Steiner vertices
   RegionReport report;
+  bool limits_are_old = false;  ///< triangles have changed since RegionReport::limits were proven
 };
 
 /// The vertices of a region's mesh: those of the boundary, then the Steiner vertices.

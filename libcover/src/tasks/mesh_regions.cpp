@@ -2,9 +2,11 @@
 // beside it.
 #include "tasks/mesh_regions.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "method/mesh_one_region.hpp"
+#include "method/proven_limits.hpp"
 #include "region/triangulation_of.hpp"
 #include "target/angle_limit.hpp"
 #include "target/report/fill_report.hpp"
@@ -49,6 +51,18 @@ Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> bou
                         [&](std::size_t k, RegionMesh mesh) { meshes[k] = std::move(mesh); });
   if (!status) return std::move(status).error();
   return meshes;
+}
+
+Status prove_old_limits(std::span<const RegionBoundary> boundaries, const Options& options,
+                        const Callbacks& callbacks, std::span<RegionMesh> meshes) {
+  const auto is_old = [](const RegionMesh& mesh) { return mesh.limits_are_old; };
+  if (std::none_of(meshes.begin(), meshes.end(), is_old)) return ok();
+  return for_each_region(
+      boundaries, worker_count(options), "limits", callbacks, [&](std::size_t k, const Team& team) {
+        RegionMesh& mesh = meshes[k];
+        if (!std::exchange(mesh.limits_are_old, false)) return;
+        mesh.report.limits = proven_limits(boundaries[k], mesh, options, team, nullptr);
+      });
 }
 
 }  // namespace cover

@@ -40,4 +40,11 @@ Status mesh_regions_into(
 Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> boundaries,
                                              const Options& options, const Callbacks& callbacks);
 
+/// Proves limits again where RegionMesh::limits_are_old.
+///
+/// ENSURES: none is old
+/// Errors:  those of for_each_region()
+Status prove_old_limits(std::span<const RegionBoundary> boundaries, const Options& options,
+                        const Callbacks& callbacks, std::span<RegionMesh> meshes);
+
 }  // namespace cover

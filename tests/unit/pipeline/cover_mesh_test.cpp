@@ -16,6 +16,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include <cover/judged_angle.hpp>
 #include <cover/verify.hpp>
 
 #include "support/inputs/inputs.hpp"
@@ -295,6 +296,30 @@ TEST(CoverMesh, SameMeshOfALargeRegionForAnyNumberOfThreads) {
               output.report.regions[0].limits.largest_nu);
     EXPECT_EQ(first.report.regions[0].limits.smallest, output.report.regions[0].limits.smallest);
   }
+}
+
+TEST(CoverMesh, LimitsAreThoseOfTheMeshThatCutsLeft) {
+  Options boxes, thin;
+  boxes.box_method = true;
+  boxes.split_interfaces = Angle::degrees(100);
+  thin.split_interfaces = Angle::degrees(90);
+  thin.max_angle = Angle::degrees(90);
+  std::size_t cut = 0, missed = 0;
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
+    const Input input = testing::planar_graph(16, seed);
+    for (const Options& options : {boxes, thin}) {
+      const Output output = must_mesh(input, options);
+      if (output.pslg.points.size() > output.report.input_points) ++cut;
+      for (const RegionReport& region : output.report.regions) {
+        const bool is_met = judged_nu(region.quality) >= options.max_angle.supplement();
+        EXPECT_EQ(region.limits.of_largest == Standing::met, is_met) << "seed " << seed;
+        EXPECT_GE(region.limits.largest_nu, judged_nu(region.quality)) << "seed " << seed;
+        if (!is_met) ++missed;
+      }
+    }
+  }
+  EXPECT_GE(cut, 3U);
+  EXPECT_GE(missed, 1U);
 }
 
 TEST(CoverMesh, SameMeshForAnyOrderOfTheInput) {

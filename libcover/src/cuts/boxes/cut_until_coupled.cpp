@@ -97,6 +97,7 @@ class CouplingRounds {
                       work_.boundaries[r].sides) == 0)
       return;
     measure_again(work_.boundaries[r], options_, Unreached::unknown, flipped);
+    flipped.limits_are_old = true;
     if (flipped.report.bound_held || !work_.meshes[r].report.bound_held)
       work_.meshes[r] = std::move(flipped);
   }
