@@ -173,6 +173,9 @@ class Check(Case):
                       (self.dir / 's.html').read_text())
         out, _ = self.run_cover('check', plate, 's.msh')
         self.assertRegex(out, r'^Segments are cut at 7 points by the run itself: --split-interfaces 90\nEvery promise holds')
+        self.run_cover('mesh', plate, '-o', 's.msh', '-o', 's.json', '--split-interfaces', '--box-method', '-q')
+        self.assertRegex(self.run_cover('check', plate, 's.msh')[0],
+                         r'^Segments are cut at \d+ points by the run itself: (?=.*--split-interfaces 90\b)(?=.*--box-method(?! true))')
         (self.dir / 's.json').unlink()
         self.run_cover('mesh', SAMPLES / 'mosfet.poly', '-o', 'one.vtu', '--split-interfaces', '--max-angle', '85', '-q')
         out, _ = self.run_cover('check', SAMPLES / 'mosfet.poly', 'one.vtu')

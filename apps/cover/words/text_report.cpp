@@ -211,7 +211,7 @@ std::string totals(const Output& output, const MeshCounts& counts) {
     out += fmt::format("Targets         missed in {} of {}; -v tells where and why{}\n",
                        grouped(static_cast<std::size_t>(missed)),
                        counted(report.regions.size(), "region"),
-                       for_couplings ? ", --couplings last lets them come first" : "");
+                       for_couplings ? ", --couplings last may reach more of them" : "");
     if (const std::string text = limits_text(limits); !text.empty())
       out += fmt::format("Proven limits   {}\n", text);
   }

@@ -27,8 +27,8 @@ Result<SizeSamples> read_size_field(const std::string& path);
 /// nothing is asked.
 ///
 /// REQUIRES: step > 0
-/// Errors:   as the other; syntax too for an expression that cannot be read, and for points without
-///           triangles
+/// Errors:   as the other; bad_option for an expression that cannot be read; syntax too for points
+///           without triangles
 Result<SizeSamples> read_size_field(const std::string& path, const std::string& of, double step);
 
 /// Makes Options::size_field of the file that Options::size_field_name names, scaled by

@@ -57,12 +57,14 @@ std::string cutting_option(const std::string& path, const MeshTriangles& mesh) {
   if (!known) return by_itself;
   if (by_itself.empty() && known->report.input_points < known->pslg.points.size())
     by_itself = "its file says so";
+  std::string options;
   for (const auto& [name, value] : known->report.provenance.settings) {
     if (name == "split-interfaces" || name == "box-method" ||
         (name == "method" && value == "nonobtuse"))
-      return fmt::format("--{} {}", name, value);
+      options += fmt::format("{}--{}{}{}", options.empty() ? "" : " ", name,
+                             value == "true" ? "" : " ", value == "true" ? "" : value);
   }
-  return by_itself;
+  return options.empty() ? by_itself : options;
 }
 
 /// Of what is found on a mesh that is sound but for `points` in its segments: each cut one once,

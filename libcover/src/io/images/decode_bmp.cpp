@@ -1,10 +1,24 @@
-// BMP without compression: palettes of 1, 4 and 8 bits, colours of 24 and 32.
+// BMP without compression: palettes of 1, 4 and 8 bits, colours of 24 and 32. Grey pictures have a
+// palette in which every number is the grey of that number: they are numbers here.
 // Tested by tests/unit/io/images/decode_test.cpp.
 #include <fmt/core.h>
 
 #include "io/images/image_data.hpp"
 
 namespace cover {
+namespace {
+
+/// Whether the palette of 256 colours from `palette` to `end` is that of a grey picture.
+bool is_grey(std::string_view data, std::uint64_t palette, std::uint64_t bits, std::uint64_t end) {
+  constexpr std::uint64_t kColours = 256, kBytes = 4;
+  if (bits != 8 || end > data.size() || palette + kColours * kBytes > end) return false;
+  for (std::uint64_t k = 0; k < kColours; ++k)
+    for (std::uint64_t c = 0; c < 3; ++c)
+      if (number_at(data, palette + kBytes * k + c, 1, false) != k) return false;
+  return true;
+}
+
+}  // namespace
 
 Result<Raster> decode_bmp(std::string_view data, const std::string& source) {
   const auto wrong = [&](ErrorCode code, const std::string& what) {
@@ -34,7 +48,7 @@ Result<Raster> decode_bmp(std::string_view data, const std::string& source) {
   Raster raster;
   raster.width = width;
   raster.height = rows;
-  raster.is_colour = true;
+  raster.is_colour = !is_grey(data, palette, bits, first);
   raster.pixels.resize(width * rows);
   for (std::uint64_t y = 0; y < rows; ++y) {
     const std::uint64_t line = first + (height < 0 ? rows - 1 - y : y) * row_bytes;
@@ -46,6 +60,10 @@ Result<Raster> decode_bmp(std::string_view data, const std::string& source) {
         if (at + 4 > first)
           return wrong(ErrorCode::syntax,
                        fmt::format("there is no colour {} in the palette", index));
+        if (!raster.is_colour) {
+          raster.pixels[y * width + x] = index;
+          continue;
+        }
       }
       raster.pixels[y * width + x] = colour_of(number(at + 2, 1), number(at + 1, 1), number(at, 1));
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "io/images/image_data.hpp"
 
@@ -121,6 +122,27 @@ class TiffDecoder {
            name == kColourMap || name == kTileWidth || name == kSampleFormat;
   }
 
+  /// Pictures from the one on whose directory is at `at`, up to one that is damaged. Smaller copies
+  /// of others do not count.
+  std::size_t count_pictures(std::uint64_t at) const {
+    constexpr std::size_t kKind = 254, kEntry = 12;
+    const auto number = [&](std::uint64_t from, std::size_t bytes) {
+      return from <= data_.size() && bytes <= data_.size() - from
+                 ? number_at(data_, from, bytes, big_endian_)
+                 : 0;
+    };
+    std::set<std::uint64_t> seen;
+    std::size_t count = 0;
+    for (; at != 0 && seen.insert(at).second; at = number(at + 2 + number(at, 2) * kEntry, 4)) {
+      bool is_copy = false;
+      for (std::uint64_t k = 0; k < number(at, 2); ++k)
+        if (const std::uint64_t entry = at + 2 + k * kEntry; number(entry, 2) == kKind)
+          is_copy = number(entry + 8, number(entry + 2, 2) == 3 ? 2 : 4) % 2 == 1;
+      if (number(at, 2) > 0 && !is_copy) ++count;
+    }
+    return count;
+  }
+
   /// 0, and an error, where the file ends.
   std::uint64_t number(std::size_t at, std::size_t bytes) {
     if (at <= data_.size() && bytes <= data_.size() - at)
@@ -180,6 +202,7 @@ class TiffDecoder {
     raster_.height = height;
     raster_.is_colour = photometric_ >= 2;
     raster_.is_signed = tag(kSampleFormat, 1) == 2;
+    raster_.pictures = std::max<std::size_t>(count_pictures(number(4, 4)), 1);
     const auto& palette = tags_[kColourMap];
     narrow_palette_ = std::all_of(palette.begin(), palette.end(),
                                   [](std::uint64_t colour) { return colour % 256 == 0; });

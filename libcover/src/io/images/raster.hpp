@@ -23,8 +23,9 @@ struct Raster {
   std::size_t height = 0;
   std::vector<std::uint64_t> pixels;  ///< by rows from the lowest one, in each from the left
   bool is_colour = false;
-  bool is_signed = false;  ///< numbers are those of std::int64_t
-  Point corner;            ///< the lower left one
+  bool is_signed = false;    ///< numbers are those of std::int64_t
+  std::size_t pictures = 1;  ///< in the file, of which this is the first
+  Point corner;              ///< the lower left one
   double pixel_width = 1;
   double pixel_height = 1;
 };

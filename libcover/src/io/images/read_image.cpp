@@ -170,6 +170,9 @@ Result<Input> input_of(const Raster& raster, const std::string& source,
   if (taken > 0)
     input.warnings.push_back(fmt::format("{} of fewer than {} pixels became part of what is around",
                                          counted(taken, "set"), options.speckle));
+  if (raster.pictures > 1)
+    input.warnings.push_back(
+        fmt::format("the file has {} pictures: the first is taken", raster.pictures));
   if (input.polygons.empty())
     input.warnings.emplace_back("all pixels are transparent, or void by the legend");
   warn(*borders, input.warnings);

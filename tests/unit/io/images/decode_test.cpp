@@ -1,12 +1,16 @@
 // Pictures are written here by other code than reads them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <random>
 #include <string>
 
 #include <zlib.h>
+
+#include <cover/input.hpp>
+#include <cover/read_input.hpp>
 
 #include "io/images/raster.hpp"
 
@@ -379,6 +383,37 @@ TEST(DecodeTiff, AllKinds) {
   EXPECT_EQ(static_cast<std::int64_t>(raster->pixels[0]), -1);
 }
 
+TEST(DecodeTiff, FurtherPicturesAreCounted) {
+  const Picture p = random_picture(9, 9, 1, 8, 1);
+  const std::string one = tiff(p, {});
+  EXPECT_EQ(decode_tiff(one, "t")->pictures, 1U);
+  // The next directory is empty, a picture of a width, a smaller copy of one, the first itself.
+  const auto with_next = [&](const std::string& directory) {
+    std::string data = one;
+    data.replace(data.size() - 4, 4, bytes_of(data.size(), 4, false));
+    return decode_tiff(data + directory + std::string(4, '\0'), "t");
+  };
+  const auto entry = [](unsigned tag, unsigned value) {
+    return bytes_of(1, 2, false) + bytes_of(tag, 2, false) + bytes_of(4, 2, false) +
+           bytes_of(1, 4, false) + bytes_of(value, 4, false);
+  };
+  EXPECT_EQ(with_next(bytes_of(0, 2, false))->pictures, 1U);
+  EXPECT_EQ(with_next(entry(256, 9))->pictures, 2U);
+  EXPECT_EQ(with_next(entry(254, 1))->pictures, 1U);
+  EXPECT_EQ(with_next(entry(254, 2))->pictures, 2U);
+  std::string circle = one;
+  circle.replace(circle.size() - 4, 4, one.substr(4, 4));
+  EXPECT_EQ(decode_tiff(circle, "t")->pictures, 1U);
+  const Result<Input> input =
+      parse_input(std::string(one).replace(one.size() - 4, 4, bytes_of(one.size(), 4, false)) +
+                      entry(256, 9) + std::string(4, '\0'),
+                  ".tif", "t");
+  ASSERT_TRUE(input);
+  EXPECT_NE(std::find(input->warnings.begin(), input->warnings.end(),
+                      "the file has 2 pictures: the first is taken"),
+            input->warnings.end());
+}
+
 TEST(DecodeTiff, Mistakes) {
   const std::string good = tiff(random_picture(9, 9, 1, 8, 1), {});
   const auto refusal = [](const std::string& data) {
@@ -443,6 +478,12 @@ TEST(DecodeBmp, AllKinds) {
       EXPECT_EQ(decoded(decode_bmp(bmp(p, bits, palette, from_above), "b"), p), wanted) << bits;
     }
   }
+  std::string grey;
+  for (unsigned k = 0; k < 256; ++k) grey += bytes_of(k << 16U | k << 8U | k, 4, false);
+  const Picture numbers = random_picture(11, 5, 1, 8, 1);
+  const Result<Raster> raster = decode_bmp(bmp(numbers, 8, grey, false), "b");
+  EXPECT_EQ(decoded(raster, numbers), numbers.numbers);
+  EXPECT_FALSE(raster->is_colour);
   const std::string good = bmp(random_picture(7, 5, 3, 8, 1), 24, "", false);
   for (std::size_t size = 0; size < good.size(); size += 7)
     EXPECT_FALSE(decode_bmp(good.substr(0, size), "b"));

@@ -90,6 +90,22 @@ TEST(ReadImage, ImagesOfVtkAreTheSame) {
   }
 }
 
+TEST(ReadImage, PointsOfAnImageOfVtkArePixelsWhereTheyHaveTheLabels) {
+  const Result<Input> picture = parse_input(
+      "NRRD0004\ntype: short\nsizes: 24 24\nspacings: 0.5 0.25\nencoding: ascii\n\n" + disk(),
+      ".nrrd", "a");
+  const std::string vti =
+      R"(<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">
+<ImageData WholeExtent="0 23 0 23 0 0" Origin="0.25 0.125 0" Spacing="0.5 0.25 1">
+<Piece Extent="0 23 0 23 0 0"><PointData><DataArray type="UInt8" Name="label" format="ascii">)" +
+      disk() + "</DataArray></PointData></Piece></ImageData></VTKFile>";
+  const std::string signed_vti = std::string(vti).replace(vti.find("UInt8"), 5, "Int16");
+  const Result<Input> points = parse_input(signed_vti, ".vti", "a");
+  ASSERT_TRUE(picture && points) << points.error().message;
+  EXPECT_EQ(materials_of(*points), materials_of(*picture));
+  EXPECT_EQ(rings_of(*points), rings_of(*picture));
+}
+
 TEST(ReadImage, LegendsNameThem) {
   ImageOptions options;
   options.legend = "1,copper\r\n7,iron, cast\n\n0,void\n99,unused";

@@ -61,7 +61,9 @@ Result<std::vector<double>> values_of(const PlaneField& field, const std::string
   }
   names.insert(names.end(), {"x", "y"});
   const Result<Expression> formula = Expression::parse(text, names);
-  if (!formula) return wrong_file(path, formula.error().message);
+  if (!formula)
+    return bad_option(
+        fmt::format("size-of, of the values in {}: {}", path, formula.error().message));
   std::vector<double> out, row(names.size());
   out.reserve(field.points.size());
   for (std::size_t p = 0; p < field.points.size(); ++p) {

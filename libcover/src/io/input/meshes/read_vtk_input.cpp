@@ -55,10 +55,9 @@ std::optional<std::vector<int>> as_integers(const NumberArray& array, std::size_
   });
 }
 
-std::vector<NamedArray> cell_arrays(const DataSet& data) {
+std::vector<NamedArray> named_arrays(const std::vector<NumberArray>& arrays, std::size_t count) {
   std::vector<NamedArray> out;
-  for (const NumberArray& array : data.cell_arrays)
-    out.push_back({array.name, as_integers(array, data.cell_count())});
+  for (const NumberArray& array : arrays) out.push_back({array.name, as_integers(array, count)});
   return out;
 }
 
@@ -79,14 +78,19 @@ const std::vector<int>* only_array(const std::vector<NamedArray>& arrays) {
   return &*std::find_if(arrays.begin(), arrays.end(), is_it)->integers;
 }
 
+/// The materials among arrays; else nullptr.
+const std::vector<int>* materials_in(const std::vector<NamedArray>& arrays) {
+  const std::vector<int>* const named = first_of(arrays, kMaterialArrays);
+  return named != nullptr ? named : only_array(arrays);
+}
+
 /// The cells of a data set as a CellMesh.
 class CellsOfDataSet {
  public:
   CellsOfDataSet(const DataSet& data, const std::string& source)
-      : data_(data), arrays_(cell_arrays(data)) {
+      : data_(data), arrays_(named_arrays(data.cell_arrays, data.cell_count())) {
     mesh_.source = source;
-    material_ = first_of(arrays_, kMaterialArrays);
-    if (!material_) material_ = only_array(arrays_);
+    material_ = materials_in(arrays_);
     line_ = first_of(arrays_, kLineArrays);
   }
 
@@ -94,22 +98,26 @@ class CellsOfDataSet {
   [[nodiscard]] std::optional<Raster> picture() const {
     const std::optional<DataSet::Pixels> pixels = data_.pixels();
     if (!pixels || !material_) return std::nullopt;
-    const double width = pixels->last[0] - pixels->first[0],
-                 height = pixels->last[1] - pixels->first[1];
-    if (!std::isfinite(width) || !std::isfinite(height) || width == 0 || height == 0)
-      return std::nullopt;
-    Raster raster;
-    raster.width = pixels->width;
-    raster.height = pixels->height;
-    raster.is_signed = true;
-    raster.corner = {pixels->first[0], pixels->first[1]};
-    raster.pixel_width = width / static_cast<double>(raster.width);
-    raster.pixel_height = height / static_cast<double>(raster.height);
-    for (const int label : *material_)
-      raster.pixels.push_back(static_cast<std::uint64_t>(std::int64_t{label}));
-    return raster;
+    return raster_of(*pixels, *material_);
   }
 
+  /// The points of a lattice as the middles of pixels, where points have materials and cells none.
+  [[nodiscard]] std::optional<Raster> picture_of_points() const {
+    std::optional<DataSet::Pixels> pixels = data_.pixels();
+    if (!pixels || material_) return std::nullopt;
+    const std::vector<NamedArray> arrays = named_arrays(data_.point_arrays, data_.point_count());
+    const std::vector<int>* const material = materials_in(arrays);
+    if (material == nullptr) return std::nullopt;
+    const auto grow = [](std::size_t& cells, double& first, double& last) {
+      const double half = (last - first) / static_cast<double>(2 * cells);
+      first -= half;
+      last += half;
+      ++cells;
+    };
+    grow(pixels->width, pixels->first[0], pixels->last[0]);
+    grow(pixels->height, pixels->first[1], pixels->last[1]);
+    return raster_of(*pixels, *material);
+  }
   Result<CellMesh> convert() {
     if (std::optional<Error> error = read_points()) return *error;
     std::array<std::uint32_t, 8> room{};
@@ -121,6 +129,24 @@ class CellsOfDataSet {
   }
 
  private:
+  static std::optional<Raster> raster_of(const DataSet::Pixels& pixels,
+                                         const std::vector<int>& labels) {
+    const double width = pixels.last[0] - pixels.first[0],
+                 height = pixels.last[1] - pixels.first[1];
+    if (!std::isfinite(width) || !std::isfinite(height) || width == 0 || height == 0)
+      return std::nullopt;
+    Raster raster;
+    raster.width = pixels.width;
+    raster.height = pixels.height;
+    raster.is_signed = true;
+    raster.corner = {pixels.first[0], pixels.first[1]};
+    raster.pixel_width = width / static_cast<double>(raster.width);
+    raster.pixel_height = height / static_cast<double>(raster.height);
+    for (const int label : labels)
+      raster.pixels.push_back(static_cast<std::uint64_t>(std::int64_t{label}));
+    return raster;
+  }
+
   [[nodiscard]] Error error(ErrorCode code, const std::string& what) const {
     return {code, fmt::format("{}: {}", mesh_.source, what), {}, {}};
   }
@@ -233,6 +259,11 @@ Result<Input> parse_vtk_input(std::string_view text, std::string_view extension,
   if (image != nullptr) {
     if (const std::optional<Raster> picture = converter.picture())
       return input_of(*picture, source, *image);
+  }
+  if (const std::optional<Raster> picture = converter.picture_of_points()) {
+    ImageOptions sides_of_pixels;
+    sides_of_pixels.smooth = false;
+    return input_of(*picture, source, image != nullptr ? *image : sides_of_pixels);
   }
   Result<CellMesh> mesh = converter.convert();
   if (!mesh) return std::move(mesh).error();

@@ -145,6 +145,7 @@ TEST(ReadSizeField, WhatChangesIsResolved) {
   const double of_asinh =
       std::hypot(std::asinh(14.0) - std::asinh(7.0), std::asinh(8.0) - std::asinh(7.0));
   EXPECT_NEAR(alone->sizes[4], 0.5 / of_asinh / 1.5, 1e-12);
+  EXPECT_EQ(read_size_field(path, "asinh(v)", 1).error().code, ErrorCode::bad_option);
   EXPECT_NE(read_size_field(path, "asinh(v)", 1)
                 .error()
                 .message.find("'asinh(v)', column 7: there is no 'v'; there are u, x, y, pi"),
