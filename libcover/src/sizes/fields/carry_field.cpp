@@ -41,6 +41,7 @@ class Carrier {
       : field_(field), tree_(field.points, field.triangles, edges_of(field.triangles)) {
     reach_ = kRounding * box_of(field.points).extent();
     for (const PlaneField::Array& array : field.arrays) out_.push_back({array.name, {}});
+    jumps_.resize(out_.size());
   }
 
   void add(Point p) {
@@ -48,10 +49,20 @@ class Carrier {
     places_.clear();
     for (const std::uint32_t t : found_) places_.push_back(place_in(t, p));
     if (found_.empty()) places_.push_back(beside(p));
-    for (std::size_t k = 0; k < out_.size(); ++k)
-      out_[k].values.push_back(largest(field_.arrays[k].values));
+    for (std::size_t k = 0; k < out_.size(); ++k) {
+      const double value = largest(field_.arrays[k].values);
+      out_[k].values.push_back(value);
+      if (is_other(field_.arrays[k].values, value) && jumps_[k].count++ == 0) jumps_[k].first = p;
+    }
   }
 
+  /// Vertices at which there are other values than the one that counts.
+  struct Jumps {
+    std::size_t count = 0;
+    Point first;
+  };
+  /// By array.
+  [[nodiscard]] const std::vector<Jumps>& jumps() const { return jumps_; }
   [[nodiscard]] std::size_t outside() const { return outside_; }
   [[nodiscard]] Point first_outside() const { return first_outside_; }
   std::vector<PlaneField::Array> take() { return std::move(out_); }
@@ -84,12 +95,22 @@ class Carrier {
     return best;
   }
 
+  /// Whether there is one that is neither zero nor, but for rounding, `value`: beside a material
+  /// without doping, that of the doped one is the only one.
+  [[nodiscard]] bool is_other(const std::vector<double>& values, double value) const {
+    return std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
+      const double other = value_at(place, values);
+      return other != 0 && std::abs(other - value) > kRounding * std::abs(value);
+    });
+  }
+
   const PlaneField& field_;
   TriangleTree tree_;
   double reach_ = 0;
   std::vector<PlaneField::Array> out_;
   std::vector<std::uint32_t> found_;
   std::vector<Place> places_;
+  std::vector<Jumps> jumps_;
   std::size_t outside_ = 0;
   Point first_outside_;
 };
@@ -105,6 +126,19 @@ std::vector<PlaneField::Array> carry_field(const PlaneField& field, const Mesh& 
     carrier.add({p[0], p[1]});
   }
   std::vector<PlaneField::Array> out = carrier.take();
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    const auto& [count, first] = carrier.jumps()[k];
+    if (count == 0) continue;
+    notes.push_back(
+        {Note::Kind::warning,
+         kVoid,
+         fmt::format(
+             "{} several values of {}, first at {}: that of the largest magnitude "
+             "counts for all regions there",
+             count == 1 ? std::string("1 vertex has") : fmt::format("{} vertices have", count),
+             out[k].name, describe(first)),
+         {first}});
+  }
   if (carrier.outside() == 0) return out;
   std::vector<std::string> names;
   for (const PlaneField::Array& array : out) names.push_back(array.name);

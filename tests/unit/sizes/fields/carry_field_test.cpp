@@ -6,6 +6,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
+
+#include <fmt/core.h>
 
 #include <cover/cover_mesh.hpp>
 #include <cover/mesh.hpp>
@@ -98,10 +101,25 @@ TEST(CarryField, WhereAValueJumpsTheLargerMagnitudeCounts) {
   field.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
   field.arrays = {{"doping", {1, 1, 1, 1, -8, -8, -8, -8}}};
   const Output output = meshed(0, 1, field);
+  std::size_t on_border = 0;
   for (std::size_t v = 0; v < output.mesh.vertices(); ++v) {
     const Point p = at(output.mesh, v);
     EXPECT_NEAR(output.fields[0].values[v], p.x < 0.5 ? 1 : -8, 1e-14);
+    if (p.x == 0.5) ++on_border;
   }
+  ASSERT_GT(on_border, 1U);
+  const auto told = [](const Output& made) {
+    std::string all;
+    for (const Note& note : made.report.notes) all += note.message + "\n";
+    return all;
+  };
+  EXPECT_NE(told(output).find(
+                fmt::format("{} vertices have several values of doping, first at (0.5", on_border)),
+            std::string::npos)
+      << told(output);
+  // Beside what is not doped there is one value.
+  std::fill(field.arrays[0].values.begin(), field.arrays[0].values.begin() + 4, 0);
+  EXPECT_EQ(told(meshed(0, 1, field)).find("several values"), std::string::npos);
 }
 
 TEST(CarryField, FieldsWithoutArraysAreNone) {
