@@ -14,6 +14,7 @@
 #include <pybind11/stl.h>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/join_inputs.hpp>
 #include <cover/option_table.hpp>
 #include <cover/read_input.hpp>
 #include <cover/read_mesh.hpp>
@@ -139,18 +140,25 @@ PyMesh read_saved(const std::string& path) {
   return py_mesh_of(run(nothing, [&] { return read_output(path); }));
 }
 
-/// Meshes a file; its options are those of reading and of meshing.
-PyMesh mesh_file(const std::string& path, py::dict keywords, const py::object& progress) {
-  check_path(path);
+/// Meshes files as one geometry; options are those of reading and of meshing.
+PyMesh mesh_files(const std::vector<std::string>& paths, py::dict keywords,
+                  const py::object& progress) {
+  for (const std::string& path : paths) check_path(path);
   auto [options, given] = take_read_options(keywords);
   if (keywords.contains("threads"))
     options.threads =
         options_from(py::dict(py::arg("threads") = keywords["threads"])).options.threads;
   Callables nothing;  // Ctrl-C ends a program that reads the file; else it counts once that is read
-  Input input = run(nothing, [&, &chosen = options] {
-    return reading::read_geometry(path, chosen, nothing.token());
+  Input input = run(nothing, [&, &chosen = options]() -> Result<Input> {
+    std::vector<Input> inputs;
+    for (const std::string& path : paths) {
+      Result<Input> read = reading::read_geometry(path, chosen, nothing.token());
+      if (!read || paths.size() == 1) return read;
+      inputs.push_back(*std::move(read));
+    }
+    return join_inputs(std::move(inputs));
   });
-  const std::vector<std::string> idle = idle_read_options(given, options, path);
+  const std::vector<std::string> idle = idle_read_options(given, options, paths);
   input.warnings.insert(input.warnings.end(), idle.begin(), idle.end());
   return mesh_input(std::move(input), keywords, progress, describe_read_options(options));
 }
@@ -222,7 +230,7 @@ PYBIND11_MODULE(_cover, module) {
              [](const py::list& polygons, const py::dict& options, const py::object& progress) {
                return mesh_input(soup_from(polygons), options, progress);
              });
-  module.def("mesh_file", &mesh_file);
+  module.def("mesh_files", &mesh_files);
   module.def("read", &read_saved);
   module.def("mesh_of_state", [](const py::tuple& state) {
     auto [output, report, remarks] = unpickled(state);

@@ -296,12 +296,17 @@ Given<WriteOptions> write_options_from(const py::dict& keywords) {
 }
 
 std::vector<std::string> idle_read_options(const std::vector<const ReadOptionEntry*>& given,
-                                           ReadOptions options, const std::string& path) {
-  if (options.format.empty()) options.format = extension_of(path);
+                                           ReadOptions options,
+                                           const std::vector<std::string>& paths) {
+  const std::string format = options.format;
   std::vector<std::string> sentences;
-  for (const ReadOptionEntry* entry : given)
-    if (entry->counts != nullptr && !entry->counts(options))
-      sentences.push_back(does_nothing(*entry));
+  for (const ReadOptionEntry* entry : given) {
+    const auto counts = [&](const std::string& path) {
+      options.format = format.empty() ? extension_of(path) : format;
+      return entry->counts == nullptr || entry->counts(options);
+    };
+    if (std::none_of(paths.begin(), paths.end(), counts)) sentences.push_back(does_nothing(*entry));
+  }
   return sentences;
 }
 

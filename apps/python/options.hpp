@@ -43,9 +43,10 @@ Given<ReadOptions> take_read_options(pybind11::dict& keywords);
 /// Raises: as options_from()
 Given<WriteOptions> write_options_from(const pybind11::dict& keywords);
 
-/// Sentences on those of the options that have no effect on reading `path`.
+/// Sentences on those of the options that have no effect on reading any of `paths`.
 std::vector<std::string> idle_read_options(const std::vector<const ReadOptionEntry*>& given,
-                                           ReadOptions options, const std::string& path);
+                                           ReadOptions options,
+                                           const std::vector<std::string>& paths);
 
 /// The same of writing a file with this extension: a mesh or a picture.
 std::vector<std::string> idle_write_options(const std::vector<const WriteOptionEntry*>& given,

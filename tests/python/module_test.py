@@ -181,6 +181,18 @@ class Values(unittest.TestCase):
             self.assertEqual(cover.mesh_file(path).attributes, {})
             return cover.mesh_file(path, keep_field=['use', 'height', 'fid'])
 
+    def test_several_files_are_one_geometry(self):
+        with tempfile.TemporaryDirectory() as folder:
+            a, b = pathlib.Path(folder, 'a.geojson'), pathlib.Path(folder, 'b.json')
+            a.write_text(self.MAP)
+            b.write_text('{"polygons": [{"material": "lake", "rings": [[[0.25, 0.25], [0.75, 0.25], [0.5, 0.5]]]}]}')
+            both = cover.mesh_file([a, str(b)], keep_field='use')
+            self.assertEqual(len(both.regions), 3)
+            self.assertIn('lake', both.materials.values())
+            self.assertEqual(len(cover.mesh_file((a,)).regions), 2)
+            with self.assertRaisesRegex(TypeError, 'no file'):
+                cover.mesh_file([])
+
     def test_attributes_by_region(self):
         mesh = self.mapped()
         for m in mesh, pickle.loads(pickle.dumps(mesh)):

@@ -50,7 +50,7 @@ class RequirementNotMet(Error):
 
 
 from ._cover import Mesh, __version__, options as _options, read_options as _read_options, write_options as _write_options  # noqa: E402
-from ._cover import mesh_file as _mesh_file, mesh_polygons as _mesh_polygons, mesh_pslg as _mesh_pslg, mesh_text as _mesh_text  # noqa: E402
+from ._cover import mesh_files as _mesh_files, mesh_polygons as _mesh_polygons, mesh_pslg as _mesh_pslg, mesh_text as _mesh_text  # noqa: E402
 from ._cover import mesh_of_state as _made_of_state, read as _read  # noqa: E402
 
 __all__ = ["Cancelled", "Error", "Mesh", "OptionError", "OutOfMemory", "RequirementNotMet", "mesh", "mesh_file",
@@ -225,12 +225,16 @@ def _number(value):
 
 
 def mesh_file(path, *, progress=None, **options):
-    """Meshes a geometry file of any format that `cover mesh` reads.
+    """Meshes a geometry file of any format that `cover mesh` reads, or several of them, a list, as one geometry: later
+    polygons are painted over earlier ones.
 
     Options are those of meshing and those of reading, which read_options() lists: layer_map="layers.map",
     window=(0, 0, 2, 1), scale=1e-3.
     """
-    return _mesh_file(_os.fsencode(path), options, progress)
+    paths = path if isinstance(path, (list, tuple)) else [path]
+    if not paths:
+        raise TypeError("mesh_file: no file")
+    return _mesh_files([_os.fsencode(p) for p in paths], options, progress)
 
 
 def read(path):
