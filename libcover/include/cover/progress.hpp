@@ -12,15 +12,20 @@
 
 namespace cover {
 
-/// One step of a run. While a region takes long, its step is told again now and then.
+/// One step of a run. While a step takes long, it is told again now and then.
 struct Progress {
-  std::string_view stage;  ///< "clean", "regions", "mesh", "stitch", ...
+  std::string_view stage;  ///< "clean", "regions", "mesh", "cut", "thin", "stitch", ...
   std::size_t done = 0;    ///< of `total`, in units of the stage (regions by their weight)
   std::size_t total = 0;   ///< 0: the stage begins, and does not tell how far it is
 };
 
-/// How the caller follows a run. Each is called from one thread at a time; what `progress` throws
-/// ends the run and reaches the caller.
+/// How the caller follows a run. What `progress` or `packing` throws stops the run, as `stop` does,
+/// and reaches the caller.
+///
+/// Threads: `progress` and `packing` are called one at a time, each time by any thread, with
+///          Options::threads 1 as well; workers that have something to tell wait meanwhile. Neither
+///          may wait for the thread that called the library, which waits for them: a graphical
+///          program posts what it is told, and does not wait until that is shown.
 struct Callbacks {
   std::function<void(const Progress&)> progress;
   /// Method nonobtuse: the packing of every region, in region order.

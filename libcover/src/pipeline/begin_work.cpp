@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/faults/out_of_memory.hpp"
 #include "layers/layer_rules.hpp"
 #include "method/boundaries_with_wishes.hpp"
 #include "pipeline/prepare_regions.hpp"
@@ -17,6 +16,7 @@
 #include "sizes/sizes.hpp"
 #include "tasks/by_team.hpp"
 #include "tasks/errors_as_values.hpp"
+#include "tasks/followed_run.hpp"
 #include "tasks/for_each_region.hpp"
 #include "tasks/mesh_regions.hpp"
 
@@ -71,9 +71,9 @@ Result<Work> begin_work(const Input& input, const Options& options, Held held,
   return work_of(input, options, held, callbacks, clock);
 }
 
-Result<Prepared> prepare(const Input& input, const Options& asked, const Callbacks& callbacks,
+Result<Prepared> prepare(const Input& input, const Options& asked, const Callbacks& caller,
                          Held held) {
-  return memory_as_value("prepare", [&]() -> Result<Prepared> {
+  return followed("prepare", caller, [&](const Callbacks& callbacks) -> Result<Prepared> {
     StageClock clock;
     const Options options = with_layers_of(input, asked);
     Result<PreparedRegions> regions = prepare_regions(input, options, callbacks, clock, held);

@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/faults/out_of_memory.hpp"
 #include "cuts/after_meshing/cut_until_met.hpp"
 #include "cuts/after_meshing/cut_what_is_left.hpp"
 #include "cuts/after_meshing/mesh_with_closed_clefts.hpp"
@@ -25,12 +24,13 @@
 #include "mesh/periodic_nodes.hpp"
 #include "mesh/stitch.hpp"
 #include "nonobtuse/nonobtuse.hpp"
-#include "pipeline/begin_stage.hpp"
 #include "pipeline/steps.hpp"
 #include "sizes/fields/carry_field.hpp"
 #include "target/report/collect_reports.hpp"
+#include "tasks/begin_stage.hpp"
 #include "tasks/by_team.hpp"
 #include "tasks/errors_as_values.hpp"
+#include "tasks/followed_run.hpp"
 #include "tasks/mesh_regions.hpp"
 
 namespace cover {
@@ -69,8 +69,8 @@ Status look_at_cuts(Work& work, const Options& options, const Callbacks& /*callb
 }
 
 template <class AnyInput>
-Result<Output> mesh_input(AnyInput&& input, const Options& asked, const Callbacks& callbacks) {
-  return memory_as_value("mesh", [&]() -> Result<Output> {
+Result<Output> mesh_input(AnyInput&& input, const Options& asked, const Callbacks& caller) {
+  return followed("mesh", caller, [&](const Callbacks& callbacks) -> Result<Output> {
     StageClock clock;
     const Options options = with_layers_of(input, asked);
     Result<Work> work =

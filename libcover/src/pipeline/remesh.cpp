@@ -20,7 +20,6 @@
 
 #include "base/containers/order.hpp"
 #include "base/faults/errors.hpp"
-#include "base/faults/out_of_memory.hpp"
 #include "base/words/and_more.hpp"
 #include "cdt/cdt.hpp"
 #include "cuts/periodic/match_sides.hpp"
@@ -32,6 +31,7 @@
 #include "sizes/sizes.hpp"
 #include "target/report/fill_report.hpp"
 #include "tasks/errors_as_values.hpp"
+#include "tasks/followed_run.hpp"
 #include "tasks/for_each_region.hpp"
 #include "tasks/mesh_regions.hpp"
 
@@ -284,9 +284,10 @@ Result<Output> mesh_again(const Input& input, const TriangleSoup& onto,
 
 Result<Output> remesh(const Input& input, const TriangleSoup& onto,
                       std::span<const std::string> only, const Options& options,
-                      const Callbacks& callbacks) {
-  return memory_as_value("remesh",
-                         [&] { return mesh_again(input, onto, only, options, callbacks); });
+                      const Callbacks& caller) {
+  return followed("remesh", caller, [&](const Callbacks& callbacks) {
+    return mesh_again(input, onto, only, options, callbacks);
+  });
 }
 
 }  // namespace cover

@@ -32,6 +32,7 @@
 #include "stream/spooled_parts.hpp"
 #include "target/report/measure_angles.hpp"
 #include "tasks/errors_as_values.hpp"
+#include "tasks/followed_run.hpp"
 #include "tasks/mesh_regions.hpp"
 #include "tasks/share_out_regions.hpp"
 
@@ -152,7 +153,7 @@ bool offer_to_keep(const std::string& beside, std::size_t input_vertices, std::s
       OfferToKeep{target->string(), seen->path().string(), word, input_vertices, regions}));
 }
 
-/// Meshes the regions into a spool file. Throws what Callbacks::progress throws.
+/// Meshes the regions into a spool file.
 Result<StreamedOutput> spool_work(Work work, const Options& options, const StreamOptions& stream,
                                   const Callbacks& callbacks, StageClock& clock) {
   std::vector<std::uint32_t> vertex_of = input_vertices(work.pslg, work.boundaries);
@@ -280,11 +281,12 @@ bool can_write_from_elsewhere(const std::string& path, const WriteOptions& optio
 }
 
 Result<StreamedOutput> stream_mesh(Input&& input, const Options& options,
-                                   const StreamOptions& stream, const Callbacks& callbacks) {
+                                   const StreamOptions& stream, const Callbacks& caller) {
   if (const std::string why = needs_whole_mesh(input, options); !why.empty())
     return bad_option(why + " needs the whole mesh in memory: cover_mesh() makes that");
-  return memory_as_value(
-      "mesh", [&] { return stream_or_hold(std::move(input), options, stream, callbacks); });
+  return followed("mesh", caller, [&](const Callbacks& callbacks) {
+    return stream_or_hold(std::move(input), options, stream, callbacks);
+  });
 }
 
 Status write_streamed_mesh(const StreamedOutput& output, const std::string& path,

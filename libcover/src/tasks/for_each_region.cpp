@@ -80,7 +80,7 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
 
   const auto run = [&](const Batch& batch, const Team& team) {
     for (std::size_t k = batch.first; k < batch.last; ++k) {
-      if (progress.must_stop()) return;
+      if (callbacks.stop.stop_requested()) return;
       constexpr std::string_view kWord = "region ";
       std::array<char, 32> name{};  // no allocation, which may fail
       char* const digits = std::copy(kWord.begin(), kWord.end(), name.begin());
@@ -94,7 +94,6 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
     progress.add(batch.cost);
   };
   run_all(batches.size(), workers, [&](std::size_t k, const Team& team) { run(batches[k], team); });
-  progress.rethrow();
 
   if (callbacks.stop.stop_requested()) return interrupted();
   for (std::optional<Error>& error : errors) {

@@ -114,9 +114,7 @@ class Jobs final : public RegionJobs {
   }
 
   /// The error of the first region that has no mesh.
-  /// Throws: what Callbacks::progress has thrown
   Status finish() {
-    progress_.rethrow();
     if (callbacks_.stop.stop_requested()) return interrupted();
     for (std::size_t region = 0; region < states_.size(); ++region) {
       if (states_[region] == State::failed) return *std::move(errors_[region]);
@@ -143,7 +141,7 @@ class Jobs final : public RegionJobs {
   }
 
   /// Whether no further region is to be begun here.
-  [[nodiscard]] bool is_over() const { return progress_.must_stop() || !is_good_(); }
+  [[nodiscard]] bool is_over() const { return callbacks_.stop.stop_requested() || !is_good_(); }
 
   std::span<const RegionBoundary> boundaries_;
   /// By region. Each takes time in proportion to its sides, and sorting asks for them again and

@@ -32,7 +32,6 @@ struct Staying {
 ///
 /// REQUIRES: callbacks.share_out
 /// Errors:   as mesh_regions_into(), and those of share_out
-/// Throws:   what callbacks.progress does
 Status share_out_regions(std::span<const RegionBoundary> boundaries, const Options& options,
                          const Callbacks& callbacks,
                          const std::function<void(std::size_t region, RegionMesh mesh)>& sink,

@@ -415,6 +415,24 @@ TEST(CoverMesh, WhatTheProgressFunctionThrowsReachesTheCaller) {
   EXPECT_EQ(calls, 1);
 }
 
+TEST(CoverMesh, WhatASizeFunctionThrowsAtAnyCallIsAnError) {
+  const Input input = testing::checker(2, 3, 18);
+  for (int at = 1;; at = 1 + at * 5 / 4) {
+    int calls = 0;
+    Options options;
+    options.box_method = true;
+    options.threads = 1;
+    options.size_field = [&](Point) -> double {
+      if (++calls == at) throw std::runtime_error("no data here");
+      return 0.3;
+    };
+    const Result<Output> output = cover_mesh(input, options);
+    if (calls < at) break;
+    ASSERT_FALSE(output) << at;
+    EXPECT_EQ(output.error().code, ErrorCode::bad_option) << at << output.error().message;
+  }
+}
+
 TEST(CoverMesh, WhatASizeFunctionThrowsIsAnErrorThatSaysSo) {
   const Input input = testing::checker(3, 3, 18);
   Options options;

@@ -310,6 +310,24 @@ TEST(Remesh, TrianglesOfAnyToolWillDo) {
   EXPECT_TRUE(std::find(now.points.begin(), now.points.end(), Point{7, 7}) == now.points.end());
 }
 
+TEST(Remesh, WhatASizeFunctionThrowsAtAnyCallIsAnError) {
+  const Input input = testing::checker(2, 3, 15);
+  const TriangleSoup mesh = triangle_soup(must_mesh(input).mesh);
+  for (int at = 1;; at = 1 + at * 5 / 4) {
+    int calls = 0;
+    Options options;
+    options.threads = 1;
+    options.size_field = [&](Point) -> double {
+      if (++calls == at) throw std::runtime_error("no data here");
+      return 0.3;
+    };
+    const Result<Output> output = remesh(input, mesh, Names{"1"}, options);
+    if (calls < at) break;
+    ASSERT_FALSE(output) << at;
+    EXPECT_EQ(output.error().code, ErrorCode::bad_option) << at << output.error().message;
+  }
+}
+
 TEST(Remesh, StopsWhenAsked) {
   const Input input = testing::checker(10, 6, 15);
   const TriangleSoup mesh = triangle_soup(must_mesh(input).mesh);

@@ -131,6 +131,22 @@ TEST(ShareOut, WhatTheProgressFunctionThrowsReachesTheCaller) {
   }
 }
 
+TEST(ShareOut, WhatTheProgressFunctionThrowsStopsThemAndComesBeforeErrors) {
+  Callbacks callbacks;
+  bool was_stopped = false;
+  callbacks.share_out = [&](RegionJobs& jobs) -> Status {
+    jobs.mesh_here(0);
+    was_stopped = jobs.stop().stop_requested();
+    return Error{ErrorCode::internal, "rank 3 is gone", {}, {}};
+  };
+  callbacks.progress = [](const Progress& progress) {
+    if (progress.stage == "mesh") throw std::runtime_error("enough");
+  };
+  EXPECT_THROW((void)cover_mesh(testing::checker(4, 4, 1), Options(), callbacks),
+               std::runtime_error);
+  EXPECT_TRUE(was_stopped);
+}
+
 TEST(ShareOut, WhatIsThrownByWhoTakesRegionsIsAnError) {
   Callbacks callbacks;
   callbacks.share_out = [](RegionJobs& jobs) {
