@@ -401,6 +401,28 @@ TEST(CoverMesh, TellsOfProgressWithinALargeRegionSoThatItCanBeStopped) {
   EXPECT_EQ(begun, 2);
 }
 
+TEST(CoverMesh, TellsOfCutsAndThinningSoThatTheyCanBeStopped) {
+  const Input input = testing::random_cells(60, 1);
+  Options options;
+  options.split_interfaces = Angle::degrees(90);
+  options.max_angle = Angle::degrees(90);
+  for (const char* stage : {"cut", "thin"}) {
+    std::stop_source stop;
+    Callbacks callbacks;
+    callbacks.stop = stop.get_token();
+    bool was_told = false;
+    callbacks.progress = [&](const Progress& p) {
+      if (p.stage != stage) return;
+      was_told = true;
+      stop.request_stop();
+    };
+    const Result<Output> output = cover_mesh(input, options, callbacks);
+    EXPECT_TRUE(was_told) << stage;
+    ASSERT_FALSE(output) << stage;
+    EXPECT_EQ(output.error().code, ErrorCode::cancelled) << stage;
+  }
+}
+
 TEST(CoverMesh, WhatTheProgressFunctionThrowsReachesTheCaller) {
   const Input input = testing::checker(12, 6, 16);
   Options options;

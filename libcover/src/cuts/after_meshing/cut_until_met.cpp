@@ -21,6 +21,7 @@
 #include "cuts/before_meshing/split_interfaces.hpp"
 #include "method/boundaries_with_wishes.hpp"
 #include "options/intent.hpp"
+#include "tasks/begin_stage.hpp"
 #include "tasks/errors_as_values.hpp"
 
 namespace cover {
@@ -108,6 +109,7 @@ class Rounds {
 
   /// Works on the triangles above the target if they are few; counts them.
   Status improve(Trial& trial) {
+    if (Status status = begin_stage("cut", callbacks_); !status) return status;
     return errors_as_values("cut and improve", [&]() -> Status {
       trial.joined = joined(trial.work);
       trial.left = {trial.joined->triangles_above().size()};

@@ -18,6 +18,7 @@
 #include "cuts/unite_pieces.hpp"
 #include "mend/thin_mesh.hpp"
 #include "region/region_graph.hpp"
+#include "tasks/begin_stage.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/mesh_regions.hpp"
 
@@ -113,6 +114,7 @@ Status mesh_with_closed_clefts(Work& work, const Options& options, const Callbac
     if (2 * effort::cuts::kCornersOfCleft * clefts.size() < work.report.input_points) return ok();
     std::optional<ClosedClefts> closed = close_clefts(whole, clefts);
     if (!closed) return ok();
+    if (Status status = begin_stage("cut", callbacks); !status) return status;
     if (Status status = mesh_closed(closed->work, options, callbacks.stop); !status) return status;
     const ConformingMesh mesh = joined(*closed);
     std::optional<OpenedClefts> opened =

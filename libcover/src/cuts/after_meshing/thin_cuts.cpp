@@ -26,6 +26,7 @@
 #include "geom/vector.hpp"
 #include "mend/thin_mesh.hpp"
 #include "sizes/size_field.hpp"
+#include "tasks/begin_stage.hpp"
 #include "tasks/errors_as_values.hpp"
 
 namespace cover {
@@ -372,6 +373,7 @@ bool wants_thinning(const Prepared& prepared, const std::vector<RegionBoundary>&
 
 Status thin_cuts(Work& work, const Options& options, const Callbacks& callbacks) {
   if (!wants_thinning(work, work.boundaries, options)) return ok();
+  if (Status status = begin_stage("thin", callbacks); !status) return status;
   return errors_as_values("thin out", [&]() -> Status {
     const Thinning thinning(work, options);
     std::vector<TrialOrError> trials = trials_of(thinning, options, callbacks.stop);
