@@ -19,6 +19,7 @@
 #include <cover/read_input.hpp>
 #include <cover/read_mesh.hpp>
 #include <cover/remesh.hpp>
+#include <cover/share_out.hpp>
 #include <cover/write_mesh.hpp>
 
 #include "failing_allocations.hpp"
@@ -249,6 +250,39 @@ TEST_F(AllocationFaults, MeshingAgainEndsWithAnError) {
     if (!again) return std::move(again).error();
     return number_of(again->mesh.tri());
   });
+}
+
+/// Meshes the first region elsewhere, which `elsewhere` does, and the others here.
+ShareOut first_elsewhere(const std::function<Bytes(const Bytes&)>& elsewhere) {
+  return [elsewhere](RegionJobs& jobs) {
+    for (std::size_t k = 1; k < jobs.size(); ++k) jobs.mesh_here(k);
+    jobs.accept(0, elsewhere(jobs.boundary(0)));
+    return ok();
+  };
+}
+
+/// The failures after the first are those of telling of it.
+TEST_F(AllocationFaults, AProcessThatMeshesForAnotherTellsOfAllFailuresInARow) {
+  std::size_t untold = 0;
+  for (const std::size_t in_a_row : {1U, 2U, 3U, 8U}) {
+    for (std::size_t at = 1; at <= 200; ++at) {
+      SCOPED_TRACE(std::to_string(in_a_row) + " from allocation " + std::to_string(at) + " on");
+      Callbacks callbacks;
+      callbacks.share_out = first_elsewhere([&](const Bytes& boundary) {
+        fail_allocation(at, in_a_row);
+        Bytes bytes;
+        EXPECT_NO_THROW(bytes = mesh_region_bytes(boundary, Options()));
+        end_of_failing_allocations();
+        untold += bytes.empty() ? 1 : 0;
+        return bytes;
+      });
+      const Result<Output> output = cover_mesh(input_, {}, callbacks);
+      if (!output)
+        EXPECT_EQ(output.error().code, ErrorCode::out_of_memory) << output.error().message;
+      if (HasFailure()) return;
+    }
+  }
+  EXPECT_GT(untold, 0U);
 }
 
 }  // namespace

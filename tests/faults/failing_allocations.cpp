@@ -19,6 +19,7 @@ std::atomic<bool> is_on = false;
 std::atomic<std::uint64_t> run = 0;
 std::atomic<std::size_t> counted = 0;
 std::atomic<std::size_t> fails_at = 0;
+std::atomic<std::size_t> fails_before = 0;
 std::atomic<bool> has_failed = false;
 std::atomic<std::size_t> left = 0;
 std::atomic<std::size_t> left_size = 0;
@@ -26,9 +27,9 @@ std::atomic<Header*> before_failure = nullptr;
 thread_local Header* last = nullptr;
 
 void* allocate(std::size_t size) {
-  if (is_on && ++counted == fails_at) {
-    has_failed = true;
-    before_failure = last;
+  if (const std::size_t number = is_on ? ++counted : 0;
+      number > 0 && number >= fails_at && number < fails_before) {
+    if (!has_failed.exchange(true)) before_failure = last;
     throw std::bad_alloc();
   }
   auto* const header = static_cast<Header*>(std::malloc(sizeof(Header) + size));
@@ -65,12 +66,13 @@ void* allocate_or_null(std::size_t size) noexcept {
 
 }  // namespace
 
-void fail_allocation(std::size_t at) {
+void fail_allocation(std::size_t at, std::size_t in_a_row) {
   ++run;
   counted = left = left_size = 0;
   has_failed = false;
   before_failure = last = nullptr;
   fails_at = at;
+  fails_before = at == 0 ? 0 : at + in_a_row;
   is_on = true;
 }
 

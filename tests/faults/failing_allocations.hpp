@@ -17,8 +17,8 @@ struct Allocations {
 };
 
 /// Counts all that operator new hands out from now on, in every thread; the `at`-th (from 1 on; 0:
-/// none) throws std::bad_alloc.
-void fail_allocation(std::size_t at);
+/// none) throws std::bad_alloc, and so do those after it, `in_a_row` in all.
+void fail_allocation(std::size_t at, std::size_t in_a_row = 1);
 
 /// No allocation fails any more. Those that are still there count as left.
 Allocations end_of_failing_allocations();

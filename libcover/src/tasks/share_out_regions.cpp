@@ -2,6 +2,7 @@
 #include "tasks/share_out_regions.hpp"
 
 #include <mutex>
+#include <new>
 #include <numeric>
 #include <optional>
 
@@ -35,12 +36,18 @@ Result<RegionBoundary> read_boundary(std::span<const std::byte> bytes, const Opt
   return read;
 }
 
-/// What `make` makes, or why that fails, for another process.
+/// What `make` makes, or why that fails, for another process; nothing where there is no memory to
+/// tell of it.
 template <class Made, class Make>
 Bytes made_bytes(Make make) {
   Result<Bytes> bytes = errors_as_values(
       "sending a region", [&] { return Result<Bytes>(to_bytes(Result<Made>(make()))); });
-  return bytes ? *std::move(bytes) : to_bytes(Result<Made>(std::move(bytes).error()));
+  if (bytes) return *std::move(bytes);
+  try {
+    return to_bytes(Result<Made>(std::move(bytes).error()));
+  } catch (const std::bad_alloc&) {
+    return {};
+  }
 }
 
 Bytes mesh_bytes(std::span<const std::byte> boundary, const Options& options,

@@ -22,6 +22,8 @@
 #include <cover/result.hpp>
 #include <cover/share_out.hpp>
 
+#include "base/faults/out_of_memory.hpp"
+
 namespace cover {
 
 template <class T, class Of>
@@ -192,9 +194,10 @@ Bytes bytes_of_result(const Result<T>& result) {
   return writer.take();
 }
 
+/// Nothing is what a process sends that has no memory to tell of an error.
 template <class T>
 Result<T> result_of_bytes(std::span<const std::byte> bytes) {
-  if (bytes.empty()) return not_ours();
+  if (bytes.empty()) return out_of_memory("another process");
   if (bytes.front() == std::byte{static_cast<std::uint8_t>(Answer::value)})
     return value_of<T>(bytes.subspan(1));
   ByteReader reader(bytes.subspan(1));

@@ -29,7 +29,7 @@ Bytes to_bytes(const Options& options);
 
 /// Errors of all: internal if `bytes` are not those of the function above.
 Result<RegionBoundary> boundary_of_bytes(std::span<const std::byte> bytes);
-/// Errors: the one that was sent, too
+/// Errors: the one that was sent, too; out_of_memory where there are no bytes
 Result<RegionMesh> mesh_of_bytes(std::span<const std::byte> bytes);
 Result<KeptMesh> kept_of_bytes(std::span<const std::byte> bytes);
 
