@@ -277,8 +277,9 @@ TEST_F(AllocationFaults, AProcessThatMeshesForAnotherTellsOfAllFailuresInARow) {
         return bytes;
       });
       const Result<Output> output = cover_mesh(input_, {}, callbacks);
-      if (!output)
+      if (!output) {
         EXPECT_EQ(output.error().code, ErrorCode::out_of_memory) << output.error().message;
+      }
       if (HasFailure()) return;
     }
   }
