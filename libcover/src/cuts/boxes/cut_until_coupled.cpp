@@ -11,7 +11,9 @@
 
 #include <cover/text.hpp>
 
+#include "cdt/cdt.hpp"
 #include "cdt/couplings.hpp"
+#include "cdt/region_cdt.hpp"
 #include "cuts/before_meshing/onto_arcs.hpp"
 #include "cuts/boxes/cut_encroached.hpp"
 #include "cuts/boxes/cut_for_boxes.hpp"
@@ -24,6 +26,7 @@
 #include "geom/vector.hpp"
 #include "method/boundaries_with_wishes.hpp"
 #include "quality/measure_again.hpp"
+#include "region/region_graph.hpp"
 #include "tasks/errors_as_values.hpp"
 
 namespace cover {
@@ -64,8 +67,8 @@ class CouplingRounds {
       const RegionTable table = work_.table;
       const std::vector<BoxCut> box_cuts = work_.report.box_cuts;
       if (Status status = cut_and_mesh(chosen); !status) {
-        if (status.error().code != ErrorCode::internal) return status;
-        // Rounded, the cuts cross something nearly straight: what was before them stays.
+        if (status.error().code != ErrorCode::internal || !breaks_a_region()) return status;
+        // What was before the cuts stays.
         work_.pslg = pslg;
         work_.table = table;
         work_.report.box_cuts = box_cuts;
@@ -166,6 +169,15 @@ class CouplingRounds {
     if (!changed) return changed.error();
     for (const std::size_t r : *changed) flip(r);
     return ok();
+  }
+
+  /// Whether cuts, rounded, crossed something nearly straight.
+  [[nodiscard]] bool breaks_a_region() const {
+    const std::vector<RegionBoundary> boundaries = split_regions(work_.pslg, work_.table);
+    return std::any_of(boundaries.begin(), boundaries.end(), [](const RegionBoundary& boundary) {
+      const CdtResult cdt = triangulate_domain(boundary.points, boundary.sides);
+      return find_flaw(cdt, boundary.points, boundary.sides).has_value();
+    });
   }
 
   Work& work_;

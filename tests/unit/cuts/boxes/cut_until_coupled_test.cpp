@@ -66,6 +66,31 @@ TEST(CutUntilCoupled, TellsWhichVertexSawASideThatIsGivenUp) {
   EXPECT_GT(given_up, 0u);
 }
 
+TEST(CutUntilCoupled, HandsOnErrorsThatAreNotOfItsCuts) {
+  std::size_t failed = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    int rounds = 0;
+    Callbacks callbacks;
+    callbacks.share_out = [&](RegionJobs& jobs) {
+      ++rounds;
+      for (std::size_t k = 0; k < jobs.size(); ++k) {
+        if (rounds == 1)
+          jobs.mesh_here(k);
+        else
+          jobs.accept(k, Bytes(1));  // no mesh
+      }
+      return ok();
+    };
+    const Result<Output> output =
+        cover_mesh(testing::random_cells(40, seed), for_boxes(), callbacks);
+    EXPECT_EQ(output.has_value(), rounds == 1) << seed;
+    if (output) continue;
+    ++failed;
+    EXPECT_EQ(output.error().code, ErrorCode::internal) << seed;
+  }
+  EXPECT_GT(failed, 0u);
+}
+
 TEST(CutUntilCoupled, AHalfDiscIsCutForItsAngles) {
   const Output output = testing::must_mesh(half_disc(24), for_boxes());
   EXPECT_TRUE(negative(output).empty());
