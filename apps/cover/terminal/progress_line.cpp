@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <new>
+#include <system_error>
 
 #include <fmt/core.h>
 
@@ -44,23 +46,28 @@ std::string progress_text(const Progress& progress, double seconds) {
 
 ProgressLine::ProgressLine(ShowProgress show) {
   if (show == ShowProgress::on || (show == ShowProgress::automatic && isatty(STDERR_FILENO) != 0)) {
-    ticker_ = std::jthread([this](const std::stop_token& stop) { tick(stop); });
+    is_on_ = true;
+    try {
+      ticker_ = std::jthread([this](const std::stop_token& stop) { tick(stop); });
+    } catch (const std::system_error&) {  // no thread to be had: drawn where something is told
+    } catch (const std::bad_alloc&) {
+    }
   }
 }
 
 ProgressLine::~ProgressLine() { clear(); }
 
 void ProgressLine::clear() {
-  if (!ticker_.joinable()) return;
-  ticker_.request_stop();
-  ticker_.join();
+  if (!is_on_) return;
+  is_on_ = false;
+  ticker_ = {};
   if (!drawn_) return;
   std::fputs("\r\x1b[K", stderr);
   std::fflush(stderr);
 }
 
 void ProgressLine::update(const Progress& progress) {
-  if (!ticker_.joinable()) return;
+  if (!is_on_) return;
   const std::lock_guard lock(mutex_);
   const bool begins = progress.stage != stage_;
   if (begins) {
@@ -75,7 +82,11 @@ void ProgressLine::update(const Progress& progress) {
 void ProgressLine::draw() {
   last_ = Clock::now();
   const double seconds = std::chrono::duration<double>(last_ - stage_start_).count();
-  std::fputs(("\r\x1b[K" + progress_text(progress_, seconds)).c_str(), stderr);
+  try {
+    std::fputs(("\r\x1b[K" + progress_text(progress_, seconds)).c_str(), stderr);
+  } catch (const std::bad_alloc&) {  // the run decides what becomes of that
+    return;
+  }
   std::fflush(stderr);
   drawn_ = true;
 }

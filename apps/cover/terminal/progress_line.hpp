@@ -34,9 +34,11 @@ class ProgressLine {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void draw();  ///< REQUIRES: mutex_ is held
+  /// REQUIRES: mutex_ is held
+  void draw();
   void tick(const std::stop_token& stop);
 
+  bool is_on_ = false;
   std::mutex mutex_;  ///< of all that follows
   bool drawn_ = false;
   std::string stage_;
@@ -44,7 +46,7 @@ class ProgressLine {
   Clock::time_point stage_start_;
   Clock::time_point last_;
   std::condition_variable_any wakes_;
-  std::jthread ticker_;  ///< runs where lines are drawn
+  std::jthread ticker_;  ///< none where none was to be had
 };
 
 }  // namespace cover::app
