@@ -180,7 +180,7 @@ class ExcerptSearch {
     enqueue_all(team);
     while (!queue_.empty()) {
       if (budget_.is_used_up()) {
-        budget_.was_too_small = true;
+        note_whether_any_is_left();
         return;
       }
       const std::size_t shares = queue_.size();
@@ -209,6 +209,13 @@ class ExcerptSearch {
         return;
       }
       keep(tried(t, shares));
+    }
+  }
+
+  /// What waits may have been mended with others. To be called once.
+  void note_whether_any_is_left() {
+    while (!queue_.empty()) {
+      if (is_left(queue_.pop())) budget_.was_too_small = true;
     }
   }
 

@@ -59,6 +59,27 @@ TEST(Search, NeverMakesItWorseAndSaysWhenTheBudgetEnds) {
   EXPECT_TRUE(was_too_small);
 }
 
+TEST(Search, ABudgetIsTooSmallOnlyWhereSomethingIsLeft) {
+  std::mt19937_64 random(31);
+  std::size_t all_mended = 0;
+  for (int k = 0; k < 12; ++k) {
+    const MutableMesh start = cdt_mesh(boundary_of({random_star(20 + 2 * k, 0.4, random)}));
+    for (const bool in_parts : {false, true}) {
+      for (std::uint64_t budget = 1; budget < 200'000; budget += 1 + budget / 8) {
+        MutableMesh mesh = start;
+        Budget own{budget, {}, false};
+        Sharing sharing;
+        if (in_parts) sharing.part_size = 1;
+        search_excerpts(mesh, default_goal(), own, Trials::usual, sharing);
+        if (left_in(mesh) > 0) continue;
+        ++all_mended;
+        EXPECT_FALSE(own.was_too_small) << k << in_parts << ' ' << budget;
+      }
+    }
+  }
+  EXPECT_GT(all_mended, 0u);
+}
+
 TEST(Search, RestartsInsideOfExcerptsLeaveASoundMesh) {
   const RegionBoundary boundary = flower(300);
   MutableMesh mesh = stuck_mesh(boundary);
