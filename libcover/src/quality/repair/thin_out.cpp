@@ -150,7 +150,8 @@ class Thinner {
     return result;
   }
 
-  /// Grows the cavity until `u` on its loop is inside.
+  /// Grows the cavity around `u` on its loop until `u` is inside; or a vertex beside it that has
+  /// three edges: then that one goes in its place, and `u` stays.
   bool swallow(std::uint32_t u) {
     const int before = cavity_.swallowed_count();
     while (cavity_.swallowed_count() == before) {
