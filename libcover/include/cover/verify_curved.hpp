@@ -14,7 +14,7 @@ namespace cover {
 
 /// What was found.
 struct CurvedVerification {
-  std::vector<Violation> violations;  ///< empty: all is well; the first of each kind
+  std::vector<Violation> violations;  ///< empty: all is well; else the first ten
   std::size_t violation_count = 0;    ///< may exceed what is listed
   std::size_t on_arcs = 0;            ///< edges whose middle lies on the arc of their chord
   std::size_t straight = 0;           ///< edges that are chords of arcs and straight

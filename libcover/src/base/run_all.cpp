@@ -41,7 +41,6 @@ class Pool final : public Crew {
     hire(count_);
     std::unique_lock lock(mutex_);
     take_calls(lock);
-    changed_.wait(lock, [this] { return finished_ == count_; });
     lock.unlock();
     threads_.clear();
   }

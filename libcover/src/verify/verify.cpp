@@ -36,7 +36,7 @@
 namespace cover {
 namespace {
 
-constexpr std::size_t kMostListed = 10;  // of a kind
+constexpr std::size_t kMostOfAKind = 10;  // are listed
 
 class Verifier {
  public:
@@ -101,7 +101,7 @@ class Verifier {
 
   void add(Kind kind, int promise, std::string message, std::vector<Point> where) {
     ++result_.violation_count;
-    if (++listed_[kind] <= kMostListed) {
+    if (++listed_[kind] <= kMostOfAKind) {
       result_.violations.push_back({promise, std::move(message), std::move(where)});
     }
   }

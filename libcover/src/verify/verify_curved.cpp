@@ -18,7 +18,7 @@
 namespace cover {
 namespace {
 
-constexpr std::size_t kViolationsListed = 10;
+constexpr std::size_t kMostListed = 10;
 constexpr double kOffMiddle = 0x1p-40;  ///< of an edge and its place
 
 class CurvedVerifier {
@@ -37,7 +37,7 @@ class CurvedVerifier {
   using Ends = std::pair<Point, Point>;
 
   void add(std::string message, std::vector<Point> where) {
-    if (result_.violations.size() < kViolationsListed)
+    if (result_.violations.size() < kMostListed)
       result_.violations.push_back({2, std::move(message), std::move(where)});
     ++result_.violation_count;
   }

@@ -48,8 +48,6 @@ class JoinedRegions {
   /// not.
   [[nodiscard]] bool is_free(std::uint32_t s) const { return is_bound_[segment_[s]] == 0; }
 
-  [[nodiscard]] std::size_t points() const { return points_; }  ///< of the PSLG
-  [[nodiscard]] std::size_t cuts() const { return cuts_; }
   [[nodiscard]] bool may_cut() const { return cuts_ < points_; }
   [[nodiscard]] bool has_changed() const { return has_changed_; }
 

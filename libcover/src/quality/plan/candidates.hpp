@@ -49,7 +49,7 @@ class Candidates {
   /// Whether no edge inside is more than twice as long as asked, as in refined meshes; false where
   /// points have sizes of their own, or edges are to grow.
   [[nodiscard]] bool keeps_sizes(const Candidate& candidate) const;
-  /// At most 16 points: random restarts then find what there is.
+  /// Random restarts then find what there is.
   [[nodiscard]] bool is_tiny() const { return boundary_.points.size() <= kTinyRegion; }
   [[nodiscard]] bool must_stop() const { return budget_.stop.stop_requested(); }
   /// More budget may help: something was left undone, and little is left. In tiny regions a hundred
