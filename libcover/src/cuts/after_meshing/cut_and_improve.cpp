@@ -20,6 +20,7 @@
 #include "quality/fault/keep_rules.hpp"
 #include "quality/fault/merit.hpp"
 #include "quality/repair/kicks.hpp"
+#include "quality/repair/triangles_above.hpp"
 
 namespace cover {
 namespace {
@@ -103,21 +104,19 @@ class CutSearch {
     CutResult result;
     const std::uint64_t first = budget.left;
     std::uint64_t mended = 0;
-    std::vector<std::uint32_t> queue = whole_.triangles_above();
-    result.above = queue.size();
-    std::size_t head = 0;
-    for (; head < queue.size() && !budget.is_used_up() && !result.was_in_vain; ++head) {
-      const std::uint32_t t = queue[head];
-      if (!is_above(whole_.mesh(), t, goal_)) continue;
-      const std::vector<std::uint32_t> changed = attempt(t, budget);
+    std::vector<std::uint32_t> first_above = whole_.triangles_above();
+    result.above = first_above.size();
+    TrianglesAbove above(whole_.mesh(), goal_, std::move(first_above));
+    while (!above.empty() && !budget.is_used_up() && !result.was_in_vain) {
+      const std::optional<std::uint32_t> t = above.next();
+      if (!t) continue;
+      const std::vector<std::uint32_t> changed = attempt(*t, budget);
       mended += changed.empty() ? 0 : 1;
-      for (const std::uint32_t c : changed) {
-        if (is_above(whole_.mesh(), c, goal_)) queue.push_back(c);
-      }
+      above.add(changed);
       const std::uint64_t spent = first - budget.left;
       result.was_in_vain = spent > kInAnyCase && spent > kForOne * mended;
     }
-    result.budget_used_up = head < queue.size();
+    result.budget_used_up = !above.empty();
     return result;
   }
 

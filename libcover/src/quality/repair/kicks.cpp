@@ -1,6 +1,7 @@
 // See kicks.hpp. Tested by tests/unit/quality/repair/kicks_test.cpp.
 #include "quality/repair/kicks.hpp"
 
+#include <optional>
 #include <utility>
 
 #include "quality/effort/effort.hpp"
@@ -8,6 +9,7 @@
 #include "quality/moves/kick.hpp"
 #include "quality/parts/excerpt.hpp"
 #include "quality/repair/improve.hpp"
+#include "quality/repair/triangles_above.hpp"
 
 namespace cover {
 namespace {
@@ -42,19 +44,13 @@ bool kick_and_improve(MutableMesh& mesh, const Goal& goal, Budget& budget) {
 
 Merit improve_by_kicks(MutableMesh& mesh, const Goal& goal, const Merit& before, Budget& budget) {
   if (before.above == 0) return before;
-  std::vector<std::uint32_t> queue;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (is_above(mesh, t, goal)) queue.push_back(t);
-  }
-  for (std::size_t head = 0; head < queue.size() && !budget.is_used_up(); ++head) {
-    const std::uint32_t t = queue[head];
-    if (!is_above(mesh, t, goal)) continue;
-    const Excerpt excerpt(mesh, t, effort::kExcerpt);
+  TrianglesAbove above(mesh, goal);
+  while (!above.empty() && !budget.is_used_up()) {
+    const std::optional<std::uint32_t> t = above.next();
+    if (!t) continue;
+    const Excerpt excerpt(mesh, *t, effort::kExcerpt);
     MutableMesh trial = excerpt.mesh;
-    if (!kick_and_improve(trial, goal, budget)) continue;
-    for (const std::uint32_t changed : excerpt.replace(mesh, trial)) {
-      if (is_above(mesh, changed, goal)) queue.push_back(changed);
-    }
+    if (kick_and_improve(trial, goal, budget)) above.add(excerpt.replace(mesh, trial));
   }
   return merit_of(mesh, goal);
 }
