@@ -138,6 +138,26 @@ void replace_in_lines(RegionTable& table, const Pieces& pieces) {
 
 }  // namespace
 
+PointsAlong along_segments(const Pslg& pslg, std::span<const PointOnSegment> points) {
+  const auto along = [&](const PointOnSegment& on) {
+    const Segment& segment = pslg.segments[on.segment.index()];
+    const Point a = pslg.points[segment.a.index()], b = pslg.points[segment.b.index()];
+    return dot(on.point - a, b - a);
+  };
+  PointsAlong result;
+  result.order = sorted_numbers(points.size(), [&](std::uint32_t i, std::uint32_t k) {
+    const PointOnSegment &x = points[i], &y = points[k];
+    return x.segment != y.segment ? x.segment < y.segment : along(x) < along(y);
+  });
+  for (const std::uint32_t k : result.order) {
+    const auto& [segment, point] = points[k];
+    if (result.cuts.empty() || result.cuts.back().segment != segment)
+      result.cuts.push_back({segment, {}});
+    result.cuts.back().points.push_back(point);
+  }
+  return result;
+}
+
 void cut_segments(Pslg& pslg, RegionTable& table, std::span<const SegmentCut> cuts) {
   std::vector<Segment> segments;
   std::vector<SegmentSides> sides;

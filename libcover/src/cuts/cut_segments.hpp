@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,20 @@ struct SegmentCut {
   SegmentId segment;
   std::vector<Point> points;
 };
+
+/// A new point on a segment.
+struct PointOnSegment {
+  SegmentId segment;
+  Point point;
+};
+
+/// The same points segment by segment, and along each from its end a on.
+struct PointsAlong {
+  std::vector<std::uint32_t> order;  ///< of the points
+  std::vector<SegmentCut> cuts;
+};
+/// Cost: O(n log n)
+PointsAlong along_segments(const Pslg& pslg, std::span<const PointOnSegment> points);
 
 /// Replaces each cut segment by its pieces, which keep its marker, name, id, circle, sides and
 /// interface. Pieces of periodic segments are pairs as long as both were cut alike, see

@@ -13,6 +13,24 @@
 namespace cover {
 namespace {
 
+TEST(AlongSegments, PointsAreGroupedBySegmentFromItsEndA) {
+  Pslg pslg;
+  pslg.points = {{0, 0}, {4, 0}};
+  pslg.segments.resize(2);
+  pslg.segments[0].a = pslg.segments[1].b = VertexId{0U};
+  pslg.segments[0].b = pslg.segments[1].a = VertexId{1U};
+  const SegmentId there{0U}, back{1U};
+  const std::vector<PointOnSegment> points{
+      {back, {1, 0}}, {there, {3, 0}}, {back, {2, 0}}, {there, {1, 0}}};
+  const PointsAlong along = along_segments(pslg, points);
+  EXPECT_EQ(along.order, (std::vector<std::uint32_t>{3, 1, 2, 0}));
+  ASSERT_EQ(along.cuts.size(), 2U);
+  EXPECT_EQ(along.cuts[0].segment, there);
+  EXPECT_EQ(along.cuts[0].points, (std::vector<Point>{{1, 0}, {3, 0}}));
+  EXPECT_EQ(along.cuts[1].segment, back);
+  EXPECT_EQ(along.cuts[1].points, (std::vector<Point>{{2, 0}, {1, 0}}));
+}
+
 TEST(CutSegments, PiecesTakeThePlaceOfTheirSegment) {
   Result<Prepared> prepared = prepare(testing::checker(2, 1, 1));
   ASSERT_TRUE(prepared.has_value());

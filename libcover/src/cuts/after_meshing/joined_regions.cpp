@@ -194,7 +194,7 @@ std::vector<std::uint32_t> JoinedRegions::put_back(Excerpt& excerpt, const Mutab
       partner_[s] = r2, partner_[r2] = s;
       partner_[r] = s2, partner_[s2] = r;
     }
-    cut_points_.push_back({segment_[s], frame_.restore(improved.points[excerpt.spare])});
+    cut_points_.push_back({SegmentId{segment_[s]}, frame_.restore(improved.points[excerpt.spare])});
     ++cuts_;
   }
   std::vector<std::uint32_t> changed = excerpt.replace(mesh_, improved);
@@ -220,23 +220,7 @@ std::uint32_t JoinedRegions::add_side(std::uint32_t parent, Excerpt& excerpt) {
 }
 
 std::vector<SegmentCut> JoinedRegions::segment_cuts(const Pslg& pslg) const {
-  std::vector<std::pair<std::uint32_t, Point>> all = cut_points_;
-  const auto along = [&](const std::pair<std::uint32_t, Point>& cut) {
-    const Segment& segment = pslg.segments[cut.first];
-    const Point a = pslg.points[segment.a.index()], b = pslg.points[segment.b.index()];
-    return dot(cut.second - a, b - a);
-  };
-  std::sort(all.begin(), all.end(), [&](const auto& x, const auto& y) {
-    return x.first != y.first ? x.first < y.first : along(x) < along(y);
-  });
-  std::vector<SegmentCut> cuts;
-  for (const auto& [segment, point] : all) {
-    if (cuts.empty() || cuts.back().segment != SegmentId{segment}) {
-      cuts.push_back({SegmentId{segment}, {}});
-    }
-    cuts.back().points.push_back(point);
-  }
-  return cuts;
+  return along_segments(pslg, cut_points_).cuts;
 }
 
 bool JoinedRegions::is_valid() const {

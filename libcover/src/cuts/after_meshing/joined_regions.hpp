@@ -94,7 +94,7 @@ class JoinedRegions {
   std::vector<std::uint8_t> is_bound_;  ///< by segment: see is_free()
   std::vector<std::uint32_t> partner_;  ///< by side: the one on the other side; kNone: void
   std::vector<std::uint32_t> beyond_;   ///< by side: the triangle there; kNone: void
-  std::vector<std::pair<std::uint32_t, Point>> cut_points_;  ///< with their segments
+  std::vector<PointOnSegment> cut_points_;
 };
 
 }  // namespace cover

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/containers/order.hpp"
 #include "base/faults/errors.hpp"
 #include "cuts/after_meshing/cut_until_met.hpp"
 #include "cuts/after_meshing/effort.hpp"
@@ -86,8 +87,7 @@ ConformingMesh mended(ConformingMesh mesh, const ClosedClefts& closed,
 bool take(OpenedClefts opened, const Options& options, Work& whole) {
   const std::size_t points = whole.pslg.points.size();
   std::vector<std::uint32_t> fixed = sort_by_place(opened.mesh);
-  std::vector<std::uint32_t> number(fixed.size());
-  for (std::uint32_t v = 0; v < fixed.size(); ++v) number[fixed[v]] = v;
+  const std::vector<std::uint32_t> number = places_in(fixed);
   for (FollowedVertex& pair : opened.pairs)
     pair = {number[pair.first], number[pair.other], pair.right_at_first};
   ease(opened.pairs, opened.mesh);

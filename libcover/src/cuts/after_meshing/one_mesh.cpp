@@ -18,23 +18,6 @@ bool touches_a_region(const SegmentSides& sides) {
   return sides.left != kVoid || sides.right != kVoid;
 }
 
-/// Vertices that cut a segment, in their order along it.
-std::vector<std::uint32_t> cuts_in_order(const ConformingMesh& mesh, const Pslg& pslg) {
-  std::vector<std::uint32_t> cuts;
-  for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
-    if (mesh.line[v] < mesh.lines.size()) cuts.push_back(v);
-  }
-  const auto along = [&](std::uint32_t v) {
-    const Segment& s = pslg.segments[mesh.line[v]];
-    const Point a = pslg.points[s.a.index()], b = pslg.points[s.b.index()];
-    return dot(mesh.points[v] - a, b - a);
-  };
-  std::sort(cuts.begin(), cuts.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return mesh.line[a] != mesh.line[b] ? mesh.line[a] < mesh.line[b] : along(a) < along(b);
-  });
-  return cuts;
-}
-
 /// By vertex: its point once `first` points are followed by the cuts; kNone inside a region.
 std::vector<std::uint32_t> points_of(const ConformingMesh& mesh,
                                      const std::vector<std::uint32_t>& old,
@@ -48,23 +31,10 @@ std::vector<std::uint32_t> points_of(const ConformingMesh& mesh,
   return id;
 }
 
-/// The same cuts, segment by segment.
-std::vector<SegmentCut> segment_cuts(const ConformingMesh& mesh,
-                                     const std::vector<std::uint32_t>& cuts) {
-  std::vector<SegmentCut> lines;
-  for (const std::uint32_t v : cuts) {
-    const SegmentId segment{mesh.line[v]};
-    if (lines.empty() || lines.back().segment != segment) lines.push_back({segment, {}});
-    lines.back().points.push_back(mesh.points[v]);
-  }
-  return lines;
-}
-
 }  // namespace
 
 void renumber(const std::vector<std::uint32_t>& number, ConformingMesh& mesh) {
-  std::vector<std::uint32_t> order(number.size());
-  for (std::uint32_t v = 0; v < number.size(); ++v) order[number[v]] = v;
+  const std::vector<std::uint32_t> order = places_in(number);
   mesh.points = in_order(mesh.points, order);
   mesh.line = in_order(mesh.line, order);
   for (ConformingMesh::Piece& piece : mesh.pieces)
@@ -78,9 +48,7 @@ std::vector<std::uint32_t> sort_by_place(ConformingMesh& mesh) {
   std::vector<std::uint32_t> order = sorted_numbers(
       mesh.points.size(),
       [&](std::uint32_t a, std::uint32_t b) { return mesh.points[a] < mesh.points[b]; });
-  std::vector<std::uint32_t> number(order.size());
-  for (std::uint32_t k = 0; k < order.size(); ++k) number[order[k]] = k;
-  renumber(number, mesh);
+  renumber(places_in(order), mesh);
   for (StraightLine& line : mesh.lines) {
     if (line.b < line.a) std::swap(line.a, line.b);
   }
@@ -132,9 +100,17 @@ ConformingMesh join(const Work& work, const Pslg& uncut, const United& united) {
 }
 
 void separate(const ConformingMesh& mesh, const std::vector<std::uint32_t>& old, Work& work) {
-  const std::vector<std::uint32_t> cuts = cuts_in_order(mesh, work.pslg);
+  std::vector<std::uint32_t> vertices;  // that cut a segment
+  std::vector<PointOnSegment> points;
+  for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
+    if (mesh.line[v] >= mesh.lines.size()) continue;
+    vertices.push_back(v);
+    points.push_back({SegmentId{mesh.line[v]}, mesh.points[v]});
+  }
+  const PointsAlong along = along_segments(work.pslg, points);
+  const std::vector<std::uint32_t> cuts = in_order(vertices, along.order);
   const std::vector<std::uint32_t> id = points_of(mesh, old, cuts, work.pslg.points.size());
-  cut_segments(work.pslg, work.table, segment_cuts(mesh, cuts));
+  cut_segments(work.pslg, work.table, along.cuts);
   work.boundaries = split_regions(work.pslg, work.table);
   hand_out_triangles({mesh.points, id, mesh.triangles, mesh.region}, work.boundaries,
                      work.pslg.points.size(), work.meshes);
