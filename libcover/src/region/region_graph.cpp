@@ -23,9 +23,9 @@
 #include "faces/materials.hpp"
 #include "faces/seeds.hpp"
 #include "geom/box.hpp"
-#include "region/gaps.hpp"
+#include "region/gaps/gaps.hpp"
+#include "region/gaps/near_misses.hpp"
 #include "region/interfaces.hpp"
-#include "region/near_misses.hpp"
 
 namespace cover {
 namespace {

@@ -1,17 +1,19 @@
 // Tested by tests/unit/clean/paint/paint_test.cpp.
-#include "region/gaps.hpp"
+#include "region/gaps/gaps.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <cover/text.hpp>
 
 #include "faces/face_measures.hpp"
 #include "geom/box.hpp"
 #include "geom/vector.hpp"
+#include "region/gaps/open_gaps.hpp"
 
 namespace cover {
 namespace {
@@ -27,6 +29,10 @@ struct Void {
   bool is_between = false;  ///< there are others beside it
 };
 
+bool is_thin(double area, double perimeter) {
+  return area <= kThin * perimeter * perimeter / (4 * std::numbers::pi);
+}
+
 /// Voids that are so many times as wide as the next narrower ones are meant: errors of drawing have
 /// one size.
 constexpr double kMeant = 8;
@@ -39,6 +45,7 @@ struct Gap {
   double width = 0;
   double area = 0;
   Point where;
+  bool is_open = false;  ///< a part of a wider void
 
   friend auto operator<=>(const Gap&, const Gap&) = default;
 };
@@ -87,18 +94,28 @@ void warn_of_gaps(const Pslg& pslg, const Faces& faces, const SeededFaces& seede
       if (beside != 0) v.seed = beside;
     }
   }
-  const auto is_gap = [&](std::size_t f) { return seeded.is_void[f] && voids[f].is_between; };
-  std::size_t gaps = 0;
-  for (std::size_t f = 1; f < faces.count; ++f) gaps += is_gap(f);
-  if (gaps == 0) return;
+  std::vector<bool> is_between(faces.count);
+  for (std::size_t f = 0; f < faces.count; ++f)
+    is_between[f] = seeded.is_void[f] && voids[f].is_between;
+  if (std::find(is_between.begin(), is_between.end(), true) == is_between.end()) return;
   const std::vector<FaceMeasure> measures = measure_faces(faces);
   std::vector<Gap> found;
-  for (std::size_t f = 1; f < faces.count; ++f) {
-    const Void& v = voids[f];
-    const double round = v.perimeter * v.perimeter / (4 * std::numbers::pi);
-    if (!is_gap(f) || measures[f].area > kThin * round) continue;
-    found.push_back({2 * measures[f].area / v.perimeter, measures[f].area,
-                     measures[f].inside.value_or(measures[f].smallest_side.first)});
+  for (std::size_t f = kOutside + 1; f < faces.count; ++f) {
+    if (!is_between[f] || !is_thin(measures[f].area, voids[f].perimeter)) continue;
+    found.push_back({2 * measures[f].area / voids[f].perimeter, measures[f].area,
+                     measures[f].inside.value_or(measures[f].smallest_side.first), false});
+    is_between[f] = false;
+  }
+  FacesBeside beside;
+  for (std::size_t f = 0; f < faces.count; ++f) {
+    beside.width.push_back(2 * measures[f].area / voids[f].perimeter);
+    const bool is_polygon = !seeded.is_void[f] && seeded.seed[f];
+    beside.owner.push_back(is_polygon ? static_cast<std::uint32_t>(*seeded.seed[f]) + 1 : 0);
+  }
+  beside.is_looked_at = std::move(is_between);
+  for (const OpenGap& gap : open_gaps(faces, beside)) {
+    if (is_thin(gap.area, gap.length))
+      found.push_back({2 * gap.area / gap.length, gap.area, gap.where, true});
   }
   if (found.empty()) return;
   std::sort(found.begin(), found.end());
@@ -109,9 +126,11 @@ void warn_of_gaps(const Pslg& pslg, const Faces& faces, const SeededFaces& seede
     return a.area != b.area ? a.area > b.area : a.where < b.where;
   });
   double area = 0;
+  std::size_t open = 0;
   std::vector<Point> where;
   for (const Gap& gap : found) {
     area += gap.area;
+    open += gap.is_open ? 1 : 0;
     where.push_back(gap.where);
   }
   const double extent = box_of(pslg.points).extent();
@@ -119,10 +138,12 @@ void warn_of_gaps(const Pslg& pslg, const Faces& faces, const SeededFaces& seede
   notes.push_back(
       {Note::Kind::warning, kVoid,
        fmt::format(
-           "polygons leave {} between them, with an area of {} together, the largest at {}{}: "
+           "polygons leave {} between them{}, with an area of {} together, the largest at {}{}: "
            "where "
            "a common border is drawn in two ways, let one polygon run on below the other{}",
-           counted(where.size(), "thin void"), describe_roughly(area), describe(where.front()),
+           counted(where.size(), "thin void"),
+           open == 0 ? std::string() : fmt::format(", {} of them open at an end", open),
+           describe_roughly(area), describe(where.front()),
            meant == 0
                ? std::string()
                : fmt::format(" ({} far wider {})", meant,

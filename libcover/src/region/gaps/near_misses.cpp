@@ -1,5 +1,5 @@
 // Tested by tests/unit/region/region_graph_test.cpp.
-#include "region/near_misses.hpp"
+#include "region/gaps/near_misses.hpp"
 
 #include <fmt/core.h>
 
@@ -7,11 +7,13 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <set>
 
 #include <cover/text.hpp>
 
 #include "geom/vector.hpp"
+#include "region/gaps/wall_behind.hpp"
 
 namespace cover {
 namespace {
@@ -21,7 +23,6 @@ namespace {
 /// mm) lie above.
 constexpr double kNear = 1e-6;
 constexpr std::size_t kMostWarnings = 50;
-constexpr int kMostSteps = 64;  // edges between a point and the segment near it
 
 class NearMisses {
  public:
@@ -103,31 +104,13 @@ class NearMisses {
     return std::abs(cross(at(v) - at(u), at(w) - at(u))) / length(at(v) - at(u));
   }
 
-  /// Goes on from point w across edge i of triangle t, as long as edges are nearer than `reach`, to
-  /// the segment behind them.
+  /// Tells of the segment that is nearer to point w than `reach` behind edge i of triangle t.
   void look_across(std::uint32_t w, std::uint32_t t, Corner i, double reach) {
-    for (int step = 0; step < kMostSteps; ++step) {
-      const Triangle& f = triangulation_.triangles[t];
-      const std::uint32_t u = f.v[i.next()];
-      const std::uint32_t v = f.v[i.previous()];
-      if (f.is_locked(i)) {
-        if (is_beside(w, u, v)) point_and_segment(w, u, v, distance(w, u, v));
-        return;
-      }
-      const std::uint32_t next = f.n[i];
-      if (next == kNone) return;
-      const Triangle& g = triangulation_.triangles[next];
-      const Corner back = g.edge_to(t);
-      // Of the two edges on the far side the one that runs past w: its ends are on both sides of w.
-      const std::uint32_t apex = g.v[back];
-      const Vector along = at(v) - at(u);
-      i = dot(along, at(apex) - at(w)) > 0 ? back.next() : back.previous();
-      t = next;
-      const Triangle& h = triangulation_.triangles[t];
-      if (distance(w, h.v[i.next()], h.v[i.previous()]) >= reach) {
-        return;
-      }
-    }
+    const std::optional<EdgeRef> wall = wall_behind(triangulation_, w, {t, i}, reach);
+    if (!wall) return;
+    const Triangle& f = triangulation_.triangles[wall->triangle];
+    const std::uint32_t u = f.v[wall->edge.next()], v = f.v[wall->edge.previous()];
+    if (is_beside(w, u, v)) point_and_segment(w, u, v, distance(w, u, v));
   }
 
   void point_and_segment(std::uint32_t w, std::uint32_t u, std::uint32_t v, double distance) {
