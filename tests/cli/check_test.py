@@ -225,6 +225,16 @@ class Check(Case):
         places = [' '.join(sorted(re.findall(r'\([^)]*\)', line)[:2])) for line in failed]
         self.assertEqual(len(places), len(set(places)))
 
+    def test_cuts_that_nothing_tells_of_say_nothing_of_region_ids(self):
+        # Regions run together over segments that are no edges: nothing is known of RegionIds then.
+        self.write('stack.json', json.dumps({
+            'points': [[x, y] for y in (0, 1, 2, 7) for x in (0, 10)],
+            'segments': [[k, k + 1] for k in (0, 2, 4, 6)] + [[k, k + 2] for k in range(6)]}))
+        self.run_cover('mesh', 'stack.json', '-o', 's.vtk', '--split-interfaces', '--size', '2', '-q')
+        out = self.run_cover('check', 'stack.json', 's.vtk', code=6)[0]
+        self.assertIn('all else is sound', out)
+        self.assertNotIn('RegionId', out)
+
     def test_other_numbers_of_materials_on_cut_arcs(self):
         def ring(iron, air):
             return json.dumps({'polygons': [

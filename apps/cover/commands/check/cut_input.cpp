@@ -84,6 +84,8 @@ void keep_cut_segments(Verification& found, const Verification& on_pieces, std::
                           on_pieces.violations.end());
   found.violation_count =
       on_pieces.segments_whole - points - found.segments_whole + on_pieces.violation_count;
+  found.in_void = on_pieces.in_void;
+  found.other_ids = on_pieces.other_ids;
 }
 
 }  // namespace
