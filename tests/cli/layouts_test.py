@@ -47,6 +47,12 @@ class Layouts(Case):
         self.assertEqual(set(self.materials(SAMPLES / 'finfet.gds', '--layer', '1', '--layer', '2/0')), {'L1D0', 'L2D0'})
         self.assertEqual(set(self.materials(SAMPLES / 'finfet.gds', *self.MAP, '--layer', 'TiN')), {'TiN'})
 
+    def test_check_names_the_layer_map_of_the_run(self):
+        self.run_cover('mesh', SAMPLES / 'finfet.gds', *self.MAP, '-o', 'm.vtm', '-q')
+        out = self.run_cover('check', SAMPLES / 'finfet.gds', 'm.vtm', code=6)[0]
+        self.assertIn(f'The run that made it had other options: repeat --layer-map {self.MAP[1]} here\n', out)
+        self.assertNotIn('repeat', self.run_cover('check', SAMPLES / 'finfet.gds', 'm.vtm', *self.MAP)[0])
+
     def test_says_why_nothing_is_left(self):
         for words, why in ((['--layer', '99'], 'nothing is on the layers chosen; other layers are 1/0'),
                            (['--window', '10,10,11,11'], 'nothing is in the window; the layout is from (-')):

@@ -148,12 +148,16 @@ std::string missing_text(std::size_t points, std::span<const std::string> of_run
   if (points == 0) return {};
   const std::string begin =
       fmt::format("{} of the input missing in the mesh. ", counted(points, "point"));
-  if (!of_run.empty())
-    return begin + fmt::format("The run that made it had other options: repeat {} here\n",
-                               listed(of_run, " "));
+  if (!of_run.empty()) return begin + repeat_text(of_run);
   return begin +
          fmt::format("If the run that made it moved them, or read other ones, repeat its {} here\n",
                      any_of(possible));
+}
+
+std::string repeat_text(std::span<const std::string> of_run) {
+  if (of_run.empty()) return {};
+  return fmt::format("The run that made it had other options: repeat {} here\n",
+                     listed(of_run, " "));
 }
 
 std::string other_ids_text(std::size_t triangles) {

@@ -286,19 +286,26 @@ std::vector<std::string> options_that_move(const CheckCommand& command) {
   return options;
 }
 
+/// The options of the run that made the mesh which the check has not.
+std::vector<std::string> missing_of_run(const CheckCommand& command,
+                                        const std::optional<MeshOrigin>& origin) {
+  return origin ? options_to_repeat(command.app, *origin) : std::vector<std::string>();
+}
+
 /// Which options may be missing, where promises are broken by what they would allow.
-void print_hints(const CheckCommand& command, const std::optional<MeshOrigin>& origin,
+/// Returns: whether those of the run were told
+bool print_hints(const CheckCommand& command, const std::optional<MeshOrigin>& origin,
                  const Verification& found, const Pslg& pslg, const TriangleSoup& mesh) {
   // Missing points make everything else fail.
   const std::size_t missing = found.violations.empty() ? 0 : missing_points(pslg, mesh);
   if (missing > 0) {
-    const std::vector<std::string> of_run =
-        origin ? options_to_repeat(command.app, *origin) : std::vector<std::string>();
-    fmt::print("{}", missing_text(missing, of_run, options_that_move(command)));
-    return;
+    fmt::print("{}",
+               missing_text(missing, missing_of_run(command, origin), options_that_move(command)));
+    return true;
   }
   if (!command.verify.hull) fmt::print("{}", in_void_text(found.in_void));
   fmt::print("{}", other_ids_text(found.other_ids));
+  return false;
 }
 
 /// Whether the middle nodes of a mesh of second order are sound; nothing is said of others.
@@ -346,7 +353,7 @@ int check_whole(const CheckCommand& command, const std::string& mesh_path,
   heed_groups(mesh_path, prepared, mesh.soup, verify, found);
   const auto cuts = take_own_cuts(mesh_path, mesh, verify, prepared, found);
   if (cuts && (!quiet || !cuts->are_meant)) fmt::print("{}", cuts_text(*cuts));
-  print_hints(command, origin, found, prepared.pslg, mesh.soup);
+  const bool is_run_told = print_hints(command, origin, found, prepared.pslg, mesh.soup);
   int code = print_promises(found);
   if (rounded.count > 0) code = exit_unmet;
 
@@ -356,6 +363,8 @@ int check_whole(const CheckCommand& command, const std::string& mesh_path,
   const CutInput cut = needs_pieces ? cut_as(prepared, mesh.soup) : CutInput{};
   const NamedLines lines = check_named_lines(cut, mesh);
   code = first_failure(code, print_lines(lines));
+  if (!is_run_told && (!lines.wrong.empty() || has_wrong_material(found)))
+    fmt::print("{}", repeat_text(missing_of_run(command, origin)));
   code = first_failure(code, print_periodic(cut, subject.periodic, quiet));
   if (code == exit_ok) code = print_curved(prepared.pslg, mesh, quiet);
   const Result<int> rows = print_layers(cut, command.layers, subject.layers, mesh.soup, quiet);
