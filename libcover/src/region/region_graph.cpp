@@ -430,7 +430,7 @@ Result<TriangulatedTable> build_triangulated_table(const Pslg& pslg, const Optio
     if (k == 0) {
       made = TableMaker(pslg, faces, *seeded).make(of_table, team);
     } else if (k == 1) {
-      warn_of_near_misses(pslg, faces.triangulation, team, notes);
+      warn_of_near_misses(pslg, faces, seeded->is_void, team, notes);
     } else {
       warn_of_gaps(pslg, faces, *seeded, options.weld.value_or(kAutoWeld), of_gaps);
     }

@@ -457,6 +457,37 @@ TEST(BuildRegionTable, WarnsOfAllPointsNearOneLongSegment) {
   EXPECT_EQ(found->notes.size(), 7U);
 }
 
+/// A line from the left side of a square into it, that begins `gap` away from it.
+Input undershoot(double gap) {
+  Input input;
+  add_loop(input, square(0, 8));
+  input.points.insert(input.points.end(), {{gap, 3}, {2, 3}, {4, 4}});
+  input.segments.push_back({4, 5, 0, 9, 0, ""});
+  input.segments.push_back({5, 6, 0, 10, 0, ""});
+  return input;
+}
+
+/// The end of a line is no corner of a layer.
+TEST(BuildRegionTable, WarnsOfLinesThatEndNearASegment) {
+  const auto found = find(undershoot(0x1p-10));
+  ASSERT_TRUE(found) << found.error().message;
+  ASSERT_EQ(found->notes.size(), 1U);
+  EXPECT_EQ(found->notes[0].message,
+            "point 4 at (0.0009765625, 3) is only 0.000977 away from the segment between point 3 "
+            "at (0, 8) and point 0 at (0, 0): a line ends there (--weld 2e-04 closes such gaps)");
+  EXPECT_EQ(find(undershoot(0x1p-30))->notes.size(), 1U);  // once
+  EXPECT_TRUE(find(undershoot(0x1p-6))->notes.empty());
+  Input corner = undershoot(0x1p-10);
+  corner.points[4] = {0x1p-11, 0x1p-11};
+  const auto beside = find(corner);
+  ASSERT_TRUE(beside) << beside.error().message;
+  ASSERT_EQ(beside->notes.size(), 1U);
+  EXPECT_EQ(beside->notes[0].message.substr(0, 30), "point 4 at (0.00048828125, 0.0");
+  Input chain = undershoot(0x1p-10);  // short segments, of a line that is as long
+  chain.points[5] = {0.125, 3};
+  EXPECT_EQ(find(chain)->notes.size(), 1U);
+}
+
 TEST(BuildRegionTable, DoesNotDependOnScaleOrOrder) {
   const Input input = testing::checker(8, 3, 5);
   const auto base = find(input);

@@ -9,9 +9,13 @@
 #include <iterator>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include <cover/text.hpp>
 
+#include "base/containers/union_find.hpp"
+#include "clean/ends/loose_ends.hpp"
+#include "geom/box.hpp"
 #include "geom/vector.hpp"
 #include "region/gaps/wall_behind.hpp"
 
@@ -23,6 +27,62 @@ namespace {
 /// mm) lie above.
 constexpr double kNear = 1e-6;
 constexpr std::size_t kMostWarnings = 50;
+
+/// An end of one line alone is no corner of a layer: it is told up to this part of its line, as
+/// long as welding reaches it, which is held back by short segments.
+constexpr double kUndershoot = 1e-3;
+constexpr double kOfLastSegment = 1.0 / 16;
+
+/// A dangling end of a line.
+struct DanglingEnd {
+  std::uint32_t point = 0;
+  std::uint32_t joined = 0;  ///< the other end of its segment
+  double reach = 0;          ///< what is nearer may be meant to meet it
+};
+
+/// The dangling ends beside which a region is, by point.
+///
+/// Cost: O(n)
+std::vector<DanglingEnd> dangling_ends(const Pslg& pslg, const Faces& faces,
+                                       const std::vector<bool>& is_void) {
+  std::vector<std::uint8_t> degree(pslg.points.size(), 0);  // 3: and more
+  for (const Segment& s : pslg.segments) {
+    for (const VertexId v : {s.a, s.b})
+      degree[v.index()] = static_cast<std::uint8_t>(std::min(degree[v.index()] + 1, 3));
+  }
+  if (std::find(degree.begin(), degree.end(), 1) == degree.end()) return {};
+  // The lines between points where not just two segments meet.
+  UnionFind line(pslg.points.size());
+  const auto is_inner = [&](VertexId v) { return degree[v.index()] == 2; };
+  for (const Segment& s : pslg.segments) {
+    if (is_inner(s.a) && is_inner(s.b)) line.unite(s.a.value(), s.b.value());
+  }
+  const auto line_of = [&](const Segment& s) {
+    return line.find((is_inner(s.a) ? s.a : s.b).value());
+  };
+  const auto length_of = [&](const Segment& s) {
+    return length(pslg.points[s.b.index()] - pslg.points[s.a.index()]);
+  };
+  std::vector<double> lengths(pslg.points.size(), 0);
+  for (const Segment& s : pslg.segments) {
+    if (is_inner(s.a) || is_inner(s.b)) lengths[line_of(s)] += length_of(s);
+  }
+  std::vector<DanglingEnd> ends;
+  for (std::size_t k = 0; k < pslg.segments.size(); ++k) {
+    const Segment& s = pslg.segments[k];
+    if (is_void[faces.of_segment[k][0]] && is_void[faces.of_segment[k][1]]) continue;
+    for (const auto& [end, joined] : {std::pair(s.a, s.b), std::pair(s.b, s.a)}) {
+      if (degree[end.index()] != 1) continue;
+      const double segment = length_of(s);
+      const double whole = is_inner(joined) ? lengths[line_of(s)] : segment;
+      ends.push_back(
+          {end.value(), joined.value(), std::min(kUndershoot * whole, kOfLastSegment * segment)});
+    }
+  }
+  std::sort(ends.begin(), ends.end(),
+            [](const DanglingEnd& e, const DanglingEnd& f) { return e.point < f.point; });
+  return ends;
+}
 
 class NearMisses {
  public:
@@ -66,6 +126,42 @@ class NearMisses {
     }
   }
 
+  /// Tells of what is nearest to dangling ends, where it is near.
+  void look_at_ends(const std::vector<DanglingEnd>& ends) {
+    if (ends.empty()) return;
+    std::vector<Nearest> nearest;
+    std::vector<bool> is_end(pslg_.points.size(), false);
+    for (const DanglingEnd& end : ends) {
+      nearest.push_back({end.reach, kNone, kNone});
+      is_end[end.point] = true;
+    }
+    for (std::uint32_t t = 0; t < triangulation_.triangles.size(); ++t) {
+      for (const Corner i : kCorners) {
+        const std::uint32_t w = triangulation_.triangles[t].v[i];
+        if (!is_end[w]) continue;
+        const auto end = std::lower_bound(
+            ends.begin(), ends.end(), w,
+            [](const DanglingEnd& e, std::uint32_t point) { return e.point < point; });
+        look_from_end(*end, {t, i}, nearest[static_cast<std::size_t>(end - ends.begin())]);
+      }
+    }
+    const std::size_t before = notes_.size();
+    double widest = 0;
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      const auto& [distance, u, v] = nearest[k];
+      if (u == kNone) continue;
+      widest = std::max(widest, distance);
+      if (u == v) {
+        points(ends[k].point, u, distance);
+      } else {
+        point_and_segment(ends[k].point, u, v, distance);
+      }
+    }
+    if (notes_.size() == before) return;
+    notes_[before].message += fmt::format(": a line ends there ({} closes such gaps)",
+                                          weld_closing(widest / box_of(pslg_.points).extent()));
+  }
+
   /// Says how many more there are than were listed.
   void finish() {
     if (seen_.size() <= kMostWarnings) return;
@@ -75,6 +171,29 @@ class NearMisses {
   }
 
  private:
+  /// The segment between two points, or one point twice, that is nearest to another.
+  struct Nearest {
+    double distance = 0;
+    std::uint32_t u = kNone;
+    std::uint32_t v = kNone;
+  };
+
+  void look_from_end(const DanglingEnd& end, EdgeRef opposite, Nearest& nearest) const {
+    const Triangle& f = triangulation_.triangles[opposite.triangle];
+    const std::uint32_t w = end.point;
+    const auto corners = {f.v[opposite.edge.next()], f.v[opposite.edge.previous()]};
+    for (const std::uint32_t p : corners) {
+      const double away = length(at(p) - at(w));
+      if (p != end.joined && away < nearest.distance) nearest = {away, p, p};
+    }
+    const auto wall = wall_behind(triangulation_, w, opposite, nearest.distance);
+    if (!wall) return;
+    const Triangle& g = triangulation_.triangles[wall->triangle];
+    const std::uint32_t u = g.v[wall->edge.next()], v = g.v[wall->edge.previous()];
+    if (!is_beside(w, u, v) || distance(w, u, v) >= nearest.distance) return;
+    nearest = {distance(w, u, v), u, v};
+  }
+
   [[nodiscard]] bool is_near_edge(const Triangle& f, Corner i, double beside) const {
     const std::uint32_t w = f.v[i], u = f.v[i.next()], v = f.v[i.previous()];
     return is_beside(w, u, v) && distance(w, u, v) < kNear * beside;
@@ -139,6 +258,7 @@ class NearMisses {
 constexpr const char* kRemedy = " (--weld closes such gaps)";
 
 std::vector<Note> find_near_misses(const Pslg& pslg, const Triangulation& triangulation,
+                                   const std::vector<DanglingEnd>& ends, const char* remedy,
                                    const Team& team) {
   const std::size_t triangles = triangulation.triangles.size();
   std::vector<Note> notes;
@@ -152,21 +272,23 @@ std::vector<Note> find_near_misses(const Pslg& pslg, const Triangulation& triang
   for (const auto& some : found) {
     for (const NearMisses::CornerOfTriangle& corner : some) misses.look(corner);
   }
+  if (!notes.empty()) notes[0].message += remedy;
+  misses.look_at_ends(ends);
   misses.finish();
   return notes;
 }
 
 }  // namespace
 
-void warn_of_near_misses(const Pslg& pslg, const Triangulation& triangulation, const Team& team,
-                         std::vector<Note>& notes) {
-  std::vector<Note> misses = find_near_misses(pslg, triangulation, team);
-  if (!misses.empty()) misses[0].message += kRemedy;
+void warn_of_near_misses(const Pslg& pslg, const Faces& faces, const std::vector<bool>& is_void,
+                         const Team& team, std::vector<Note>& notes) {
+  std::vector<Note> misses = find_near_misses(pslg, faces.triangulation,
+                                              dangling_ends(pslg, faces, is_void), kRemedy, team);
   std::move(misses.begin(), misses.end(), std::back_inserter(notes));
 }
 
 std::string near_misses_behind(const Pslg& pslg, const Triangulation& triangulation) {
-  const std::vector<Note> misses = find_near_misses(pslg, triangulation, Team());
+  const std::vector<Note> misses = find_near_misses(pslg, triangulation, {}, "", Team());
   if (misses.empty()) return {};
   std::string out = "; " + misses[0].message;
   if (misses.size() > 1) {

@@ -9,17 +9,19 @@
 
 #include "base/team.hpp"
 #include "cdt/triangulation.hpp"
+#include "faces/faces.hpp"
 
 namespace cover {
 
 /// Appends a warning to `notes` for points that are very near to each other or to a segment that
-/// they do not belong to, compared with the lengths around them.
+/// they do not belong to, compared with the lengths around them; for ends of lines in regions that
+/// are near to something compared with their line.
 ///
-/// REQUIRES: `triangulation` is the constrained Delaunay triangulation of the PSLG's hull: what is
+/// REQUIRES: the triangulation of `faces` is the constrained Delaunay triangulation of the PSLG's hull: what is
 ///           near each other in sight of each other shares a triangle in it
 /// Cost:     O(n).
-void warn_of_near_misses(const Pslg& pslg, const Triangulation& triangulation, const Team& team,
-                         std::vector<Note>& notes);
+void warn_of_near_misses(const Pslg& pslg, const Faces& faces, const std::vector<bool>& is_void,
+                         const Team& team, std::vector<Note>& notes);
 
 /// The same as an end of a sentence about faces that are not as they should be, "; point 4 at ...
 /// is only ...": where lines do not quite meet, that is why. Empty where nothing nearly touches.
