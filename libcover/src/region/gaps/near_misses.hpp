@@ -17,8 +17,8 @@ namespace cover {
 /// they do not belong to, compared with the lengths around them; for ends of lines in regions that
 /// are near to something compared with their line.
 ///
-/// REQUIRES: the triangulation of `faces` is the constrained Delaunay triangulation of the PSLG's hull: what is
-///           near each other in sight of each other shares a triangle in it
+/// REQUIRES: the triangulation of `faces` is the constrained Delaunay one of the hull: what is near
+///           each other in sight of each other shares a triangle in it
 /// Cost:     O(n).
 void warn_of_near_misses(const Pslg& pslg, const Faces& faces, const std::vector<bool>& is_void,
                          const Team& team, std::vector<Note>& notes);
