@@ -22,7 +22,8 @@ std::vector<WallPoint> wall_points(const RegionBoundary& boundary,
   const auto end = [&](std::uint32_t s) { return boundary.points[boundary.sides[s][1]]; };
   /// Of a line whose first segment is `edge`, up the wall from `foot` to `top`.
   const auto climb = [&](std::uint32_t edge, std::uint32_t wall, Point foot, Point top) {
-    const LayerRule& rule = rules[boundary.layers[edge] - 1];
+    const std::size_t number = boundary.layers[edge] - 1;
+    const LayerRule& rule = rules[number];
     const Vector normal = unit_normal(start(edge), end(edge));
     const Vector up = top - foot;
     const double height = dot(up, normal);
@@ -32,7 +33,7 @@ std::vector<WallPoint> wall_points(const RegionBoundary& boundary,
       if (rule.count == 0 && k > 0 && layer > length(end(edge) - start(edge))) break;
       const double share = thickness.total(k + 1) / height;
       if (height - thickness.total(k + 1) < kMost * layer) break;
-      out.push_back({wall, foot + share * up, share * length(up), layer});
+      out.push_back({wall, foot + share * up, share * length(up), layer, number});
     }
   };
   const std::vector<std::uint32_t> next = next_sides(boundary);

@@ -1,6 +1,7 @@
 // Where walls at the ends of layered lines would have to be cut for layers to run up to them.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct WallPoint {
   Point at;
   double height = 0;  ///< along the side, from the line's end
   double layer = 0;   ///< thickness of the layer below
+  std::size_t rule = 0;
 };
 
 /// Line by line, upwards: the heights of rows over lines that end at about a right angle with the

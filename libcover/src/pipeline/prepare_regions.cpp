@@ -46,6 +46,7 @@ Report report_on(const Input& input, const Options& options) {
 /// Cuts segments as far as that can be told before anything is meshed.
 Status cut_before_meshing(Prepared& prepared, const Options& options, Held held) {
   Status status = check_wishes(prepared.pslg, prepared.table, options, held);
+  if (status) status = cut_before_sizes(prepared, options);
   if (status)
     status = split_interfaces(prepared.pslg, prepared.table, options, prepared.report.notes);
   if (status) status = cut_for_layers(prepared, options);

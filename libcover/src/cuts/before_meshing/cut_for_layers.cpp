@@ -99,9 +99,12 @@ class Wishes {
   std::map<SegmentId, WallWish> by_segment_;
 };
 
-}  // namespace
+/// Those of rows that are counted, on straight walls: nothing else tells where they come to lie.
+bool is_settled(const Pslg& pslg, SegmentId segment, const LayerRule& rule) {
+  return rule.count > 0 && pslg.segments[segment.index()].circle == 0;
+}
 
-Status cut_for_layers(Prepared& prepared, const Options& options) {
+Status cut_walls(Prepared& prepared, const Options& options, bool settled_only) {
   if (options.layers.empty() || (!options.split_interfaces && !options.box_method)) return ok();
   auto& [pslg, table, report] = prepared;
   std::vector<RegionBoundary> boundaries = split_regions(pslg, table);
@@ -109,8 +112,11 @@ Status cut_for_layers(Prepared& prepared, const Options& options) {
   Wishes wishes(pslg);
   for (const RegionBoundary& boundary : boundaries) {
     if (!has_layers(boundary)) continue;
-    for (const layers::WallPoint& p : layers::wall_points(boundary, options.layers))
-      wishes.add(boundary.segments[p.side], p);
+    for (const layers::WallPoint& p : layers::wall_points(boundary, options.layers)) {
+      const SegmentId segment = boundary.segments[p.side];
+      if (settled_only && !is_settled(pslg, segment, options.layers[p.rule])) continue;
+      wishes.add(segment, p);
+    }
   }
   for (const RegionBoundary& boundary : boundaries) {
     if (wishes.empty()) break;
@@ -132,6 +138,16 @@ Status cut_for_layers(Prepared& prepared, const Options& options) {
                                       counted(where.size(), "point"), describe(where.front())),
                           std::move(where)});
   return ok();
+}
+
+}  // namespace
+
+Status cut_before_sizes(Prepared& prepared, const Options& options) {
+  return options.sizes.empty() ? ok() : cut_walls(prepared, options, true);
+}
+
+Status cut_for_layers(Prepared& prepared, const Options& options) {
+  return cut_walls(prepared, options, false);
 }
 
 }  // namespace cover

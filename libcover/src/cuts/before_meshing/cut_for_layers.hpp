@@ -15,4 +15,8 @@ namespace cover {
 /// Cost:   O(n log n)
 Status cut_for_layers(Prepared& prepared, const Options& options);
 
+/// The same before segments are cut to sizes, which would leave too short pieces of walls for
+/// layers: where these are counted, since others are as many as pieces of lines are long for.
+Status cut_before_sizes(Prepared& prepared, const Options& options);
+
 }  // namespace cover

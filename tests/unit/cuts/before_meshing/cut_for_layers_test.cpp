@@ -73,6 +73,19 @@ TEST(CutForLayers, MakesTensorBlocksInCornersOfLayeredLines) {
   }
 }
 
+/// Cuts to sizes leave no piece of a wall too short for layers.
+TEST(CutForLayers, ComesBeforeCutsToSizes) {
+  Options options = layered(3);
+  options.layers[0].first = 0.2;
+  options.sizes = {{"wall", 0.25, true}};
+  const Output output = testing::must_mesh(square(3), options);
+  EXPECT_EQ(testing::violations(output), "");
+  const LayerReport& found = output.report.regions[0].layers[0];
+  EXPECT_GT(found.segments, 1U);
+  EXPECT_EQ(found.complete, found.segments);
+  EXPECT_EQ(found.fewest, 3);
+}
+
 /// Names two lines that are images of each other, beside layers on `top` along a part of the width.
 Input periodic_cell(bool reaches_left, bool reaches_right) {
   Input input = testing::segments_between({{0, 0}, {4, 0}, {4, 2}, {3, 2}, {1, 2}, {0, 2}},
