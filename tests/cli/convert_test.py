@@ -25,6 +25,21 @@ class Convert(Case):
         self.assertEqual((self.dir / 'e.vtu').read_bytes(), (self.dir / 'd.vtu').read_bytes())
         self.run_cover('check', SAMPLES / 'diode.poly', 'e.vtu')
 
+    def test_voids_stay_void(self):
+        def holes(name):
+            lines = (self.dir / name).read_text().split('# holes')[1].split('\n')[1:]
+            return [[float(x) for x in line.split()[1:3]] for line in lines[1:1 + int(lines[0])]]
+        rings = [[[0, 0], [9, 0], [9, 9], [0, 9]], [[1, 1], [4, 1], [4, 4], [1, 4]], [[4, 4], [8, 4], [8, 8], [4, 8]]]
+        island = [[[5, 5], [7, 5], [7, 7], [5, 7]]]
+        self.write('v.json', json.dumps({'polygons': [{'material': 'Si', 'rings': rings}, {'material': 'Au', 'rings': island}]}))
+        for mesh in 'm.vtm', 'm.vtu', 'm.msh', 'm.vtkhdf', 'm.inp':
+            self.run_cover('mesh', 'v.json', '-o', mesh, '-o', 'm.poly', '-q')
+            self.run_cover('convert', mesh, '-o', 'c.poly', '-q')
+            self.assertEqual(len(holes('m.poly')), 2)
+            self.assertEqual([x < 4 for x, _ in sorted(holes('c.poly'))], [True, False], mesh)
+            self.run_cover('mesh', 'c.poly', '-o', 'again.vtu', '-q')
+            self.run_cover('check', 'v.json', 'again.vtu', '-q')
+
     def test_regions_of_one_name_are_one_set(self):
         rings = [[[x, 0], [x + 1, 0], [x + 1, 1], [x, 1]] for x in (0, 2)]
         self.write('c.json', json.dumps({'polygons': [{'material': 'cu', 'region': 'coil', 'rings': [ring]} for ring in rings]}))

@@ -46,6 +46,17 @@ class Arrays(Case):
         self.assertEqual(len(cover.mesh(mesh.points[:3], [(0, 1), (1, 2), (2, 0)]).points), 3)
 
 
+class Voids(Case):
+    def test_stay_when_a_mesh_is_read_or_pickled(self):
+        points = np.concatenate([SQUARE * 4, SQUARE * 2 + 1])
+        mesh = cover.mesh(points, np.concatenate([RING, RING + 4]), holes=[(2, 2)])
+        mesh.save(self.dir / 'a.vtm')
+        for name, other in ('read', cover.read(self.dir / 'a.vtm')), ('pickled', pickle.loads(pickle.dumps(mesh))):
+            other.save(self.dir / 'clean.poly')
+            with self.subTest(name):
+                self.assertEqual(len(cover.mesh_file(self.dir / 'clean.poly').regions), 1)
+
+
 class Notes(Case):
     def test_options_of_reading_without_effect(self):
         mesh = cover.mesh_file(DATA / 'mosfet.poly', layer='metal', speckle=4, scale=2, crs=None, no_smooth=False)

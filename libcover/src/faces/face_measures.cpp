@@ -5,6 +5,11 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/core.h>
+
+#include <cover/ids.hpp>
+#include <cover/text.hpp>
+
 #include "base/numbers.hpp"
 #include "geom/predicates.hpp"
 #include "geom/triangle.hpp"
@@ -140,6 +145,16 @@ std::vector<FaceMeasure> measure_faces(const Faces& faces, const Team& team) {
     if (missing[f]) out[f].inside.reset();
   }
   return out;
+}
+
+void warn_of_sliver(const std::string& what, const FaceMeasure& measure, std::vector<Note>& notes) {
+  const Point at = measure.smallest_side.first;
+  notes.push_back({Note::Kind::warning,
+                   kVoid,
+                   fmt::format("{} at {} is so thin that no double lies inside: a seed in a "
+                               ".poly cannot name it",
+                               what, describe(at)),
+                   {at}});
 }
 
 }  // namespace cover

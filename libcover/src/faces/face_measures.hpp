@@ -2,10 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <cover/point.hpp>
+#include <cover/report.hpp>
 
 #include "base/team.hpp"
 #include "faces/faces.hpp"
@@ -25,5 +27,8 @@ struct FaceMeasure {
 /// hold no double but on its triangulation's edges gets a point there.
 /// Cost: O(n).
 std::vector<FaceMeasure> measure_faces(const Faces& faces, const Team& team = {});
+
+/// Tells that `what`, a face, has no place inside.
+void warn_of_sliver(const std::string& what, const FaceMeasure& measure, std::vector<Note>& notes);
 
 }  // namespace cover

@@ -1,5 +1,5 @@
 // Files keep triangles, regions and the edges of interfaces; the rest follows: connectivity, the
-// segments (an edge on an interface is one whole segment), which region lies on which side.
+// segments (an edge on an interface is one whole segment), which region lies on which side, voids.
 // Tested by tests/unit/mesh/rebuild_test.cpp.
 #include <cover/mesh.hpp>
 #include <cover/stored_mesh.hpp>
@@ -18,6 +18,7 @@
 #include "geom/vector.hpp"
 #include "mesh/find_edges.hpp"
 #include "mesh/mesh_builder.hpp"
+#include "mesh/voids.hpp"
 #include "region/interfaces.hpp"
 #include "target/report/measure_angles.hpp"
 
@@ -37,6 +38,7 @@ class Rebuilder {
     out_.table.regions = stored_.regions;
     if (stored_.regions.empty()) make_up_regions();
     set_faces();
+    out_.table.void_seeds = places_in_voids(out_.mesh, out_.report.notes);
     out_.report.quality = measure_angles(soup_.points, soup_.triangles);
     if (std::optional<Error> error = add_named_points()) return *std::move(error);
     if (std::optional<Error> error = add_segments()) return *std::move(error);

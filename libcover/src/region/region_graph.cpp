@@ -140,17 +140,6 @@ class TableMaker {
     }
   }
 
-  static void warn_of_sliver(const std::string& what, const FaceMeasure& measure,
-                             std::vector<Note>& notes) {
-    const Point at = measure.smallest_side.first;
-    notes.push_back({Note::Kind::warning,
-                     kVoid,
-                     fmt::format("{} at {} is so thin that no double lies inside: a seed in a "
-                                 ".poly cannot name it",
-                                 what, describe(at)),
-                     {at}});
-  }
-
   /// Counts a side of `region`.
   void count_side(RegionId region) {
     if (region != kVoid) ++table_.region(region).sides;

@@ -5,11 +5,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <string>
+#include <tuple>
 #include <vector>
+
+#include "geom/topology/half_edges.hpp"
 
 namespace cover {
 namespace {
@@ -46,6 +53,101 @@ TEST(Rebuild, MakesUpRegionsAndInterfacesWhereNoneAreStored) {
   EXPECT_EQ(output->pslg.segments.size(), 7u);
   EXPECT_EQ(output->report.steiner_vertices, 0u);
   EXPECT_DOUBLE_EQ(output->report.quality.largest_nu.supplement().in_degrees(), 90);
+}
+
+/// Unit squares where `rows` have '#', the lowest row last, each of two triangles; the corners of
+/// letters have points of their own.
+StoredMesh squares(const std::vector<std::string>& rows, bool clockwise = false) {
+  StoredMesh stored;
+  std::map<std::tuple<double, double, char>, std::uint32_t> numbers;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    for (std::size_t column = 0; column < rows[row].size(); ++column) {
+      const char kind = rows[row][column];
+      if (kind == '.') continue;
+      const auto corner = [&](std::size_t right, std::size_t up) {
+        const auto x = static_cast<double>(column + right);
+        const auto y = static_cast<double>(rows.size() - 1 - row + up);
+        const auto next = static_cast<std::uint32_t>(stored.soup.points.size());
+        const auto [known, is_new] = numbers.emplace(std::tuple(x, y, kind), next);
+        if (is_new) stored.soup.points.push_back({x, y});
+        return known->second;
+      };
+      const std::uint32_t a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
+      for (const IndexTriple& t : {IndexTriple{a, b, c}, IndexTriple{a, c, d}})
+        stored.soup.triangles.push_back(clockwise ? IndexTriple{t[0], t[2], t[1]} : t);
+    }
+  }
+  stored.soup.region.assign(stored.soup.triangles.size(), 1);
+  stored.soup.material = stored.soup.region;
+  return stored;
+}
+
+/// The letter or digit that stands in `names` where each void has its place, in order.
+std::string voids_of(const StoredMesh& stored, const std::vector<std::string>& names) {
+  const Result<Output> output = rebuild(stored);
+  if (!output) return output.error().message;
+  std::string found;
+  for (const Point p : output->table.void_seeds)
+    found += names[names.size() - 1 - static_cast<std::size_t>(p.y)][static_cast<std::size_t>(p.x)];
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+TEST(Rebuild, PutsAPlaceInsideEveryVoid) {
+  EXPECT_TRUE(rebuild(two_squares())->table.void_seeds.empty());
+  // One with an island that has a void itself, two that meet in a point, and a bay.
+  const std::vector<std::string> names{
+      "##########",  //
+      "#1111111##",  //
+      "#1###1###.",  //
+      "#1#2#1###.",  //
+      "#1###1####",  //
+      "#11111#3##",  //
+      "#######3##",  //
+      "######4###",  //
+      "##########",
+  };
+  std::vector<std::string> rows = names;
+  for (std::string& row : rows)
+    for (char& c : row) c = c == '#' ? c : '.';
+  EXPECT_EQ(voids_of(squares(rows), names), "1234");
+  EXPECT_EQ(voids_of(squares(rows, true), names), "1234");
+}
+
+TEST(Rebuild, EdgesOnOneAnotherEncloseNoVoid) {
+  // Parts with points of their own, of which A lies wholly in a void of B but for D.
+  const std::vector<std::string> names{
+      "BBBBBB",  //
+      "BAAAAB",  //
+      "BA12AB",  //
+      "BAAADB",  //
+      "B3BBBB",  //
+      "BBBBBB",
+  };
+  std::vector<std::string> rows = names;
+  for (std::string& row : rows)
+    for (char& c : row) c = std::isdigit(c) != 0 ? '.' : c;
+  std::string found = voids_of(squares(rows), names);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_TRUE(found[0] == '1' || found[0] == '2');
+  EXPECT_EQ(found[1], '3');
+}
+
+TEST(Rebuild, TellsOfABorderThatMeetsItself) {
+  StoredMesh stored = squares({"###", "#.#", "###"});
+  // A triangle of its own, of which one corner lies inside a side of the void.
+  const auto n = static_cast<std::uint32_t>(stored.soup.points.size());
+  for (const Point p : {Point{1, 1.5}, {1.5, 1.25}, {1.5, 1.75}}) stored.soup.points.push_back(p);
+  stored.soup.triangles.push_back({n, n + 1, n + 2});
+  stored.soup.region.push_back(1);
+  stored.soup.material.push_back(1);
+  const Result<Output> output = rebuild(stored);
+  ASSERT_TRUE(output) << output.error().message;
+  EXPECT_TRUE(output->table.void_seeds.empty());
+  ASSERT_EQ(output->report.notes.size(), 1U);
+  EXPECT_EQ(output->report.notes[0].message,
+            "the border of the mesh meets itself at (1, 1.5): what it encloses stays unknown, and "
+            "a .poly has no holes");
 }
 
 TEST(Rebuild, KeepsNodesOfCurvedEdges) {
