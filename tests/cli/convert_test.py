@@ -515,9 +515,30 @@ class NamedPoints(Case):
         tags = [int(line.split()[2]) for line in (self.dir / 'a.mesh').read_text().split('\n') if line.startswith(('4 3 ', '2 2 ', '6 5 '))]
         self.assertEqual(sorted(tags), sorted([points['Sonde ö']['tag']] + 2 * [points['well "1"']['tag']]))
 
+    def test_names_of_points_as_they_are(self):
+        def names(mesh):
+            self.run_cover('convert', mesh, '-o', 'out.json', '-q')
+            return {group['original']: group['vertices'] for group in json.loads((self.dir / 'out.json').read_text())['points']}
+        self.run_cover('mesh', 'map.geojson', '-o', 'a.json', '-q')
+        expected = {group['original']: group['vertices'] for group in json.loads((self.dir / 'a.json').read_text())['points']}
+        for order in '1', '2':
+            self.run_cover('mesh', 'map.geojson', '-o', 'm.vtm', '-o', 'm.vtu', '-o', 'm.inp', '-o', 'm.msh', '--order', order, '-q')
+            for extension in 'vtm', 'vtu', 'inp', 'msh':
+                self.assertEqual(names(f'm.{extension}'), expected, (extension, order))
+
+    def test_formats_without_names_of_points_are_told(self):
+        told = 'names of points (Sonde ö, well "1") are not in {}: formats that hold them are .vtm, .vtkhdf, .msh, .mesh, .inp, .json'
+        self.run_cover('mesh', 'map.geojson', '-o', 'm.vtm', '-q')
+        for words in ('mesh', 'map.geojson'), ('convert', 'm.vtm'):
+            for extension in 'vtu', 'vtk', 'xdmf', 'ele', 'ply':
+                self.assertIn(told.format('a.' + extension), self.run_cover(*words, '-o', 'a.' + extension)[1])
+            self.assertIn('names of points', self.run_cover(*words, '-o', 'p.msh', '--msh', '4.1', '--parts', '2')[1])
+            for files in ('-o', 'b.vtu', '-o', 'b.json'), ('-o', 'c.vtu', '-o', 'c.vtm'), ('-o', 'd.msh'), ('-o', 'd.vtkhdf'), ('-o', 'd.poly'):
+                self.assertNotIn('names of points', self.run_cover(*words, *files)[1])
+
     def test_points_keep_their_names_through_files(self):
         self.run_cover('mesh', 'map.geojson', '-o', 'a.msh', '-q')
-        for name in 'a.msh', 'b.vtkhdf', 'c.vtu':
+        for name in 'a.msh', 'b.vtkhdf', 'd.vtm', 'c.vtu':
             with_names = ['-o', 'c.json'] if name == 'c.vtu' else []
             for order in '1', '2':
                 self.run_cover('mesh', 'map.geojson', '-o', name, *with_names, '--order', order, '-q')

@@ -68,7 +68,10 @@ Examples:
   log_notes(*log, mesh->report.notes);
   std::vector<PeriodicRule> periodic;
   for (const PeriodicNodes& nodes : mesh->periodic) periodic.push_back(nodes.rule);
-  for (const std::string& warning : files.warnings(mesh->table.attributes, mesh->fields, periodic))
+  std::vector<std::string> points;
+  for (const NamedPoint& point : mesh->pslg.named_points) points.push_back(point.name);
+  for (const std::string& warning :
+       files.warnings(mesh->table.attributes, mesh->fields, periodic, points))
     log->warn("{}", warning);
   for (const std::string& warning : files.warnings_of(*mesh)) log->warn("{}", warning);
   if (mesh->nodes && files.write_options().order == 1)

@@ -24,6 +24,17 @@ bool is_among(const std::vector<std::string>& all, const std::string& extension)
   return std::find(all.begin(), all.end(), extension) != all.end();
 }
 
+/// The first of `names`, each once, and how many there are more: a map may have thousands of wells.
+std::vector<std::string> first_of_all(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 10;
+  std::vector<std::string> first;
+  std::set<std::string> known;
+  for (const std::string& name : names)
+    if (known.insert(name).second && known.size() <= kMost) first.push_back(name);
+  if (known.size() > kMost) first.back() += fmt::format(" and {} more", known.size() - kMost);
+  return first;
+}
+
 }  // namespace
 
 CLI::Option* OutputFiles::add_meshes(CLI::App& command, const char* on_stdout) {
@@ -94,7 +105,8 @@ Status OutputFiles::can_hold_periodic() const {
 
 std::vector<std::string> OutputFiles::warnings(const std::vector<Attribute>& attributes,
                                                std::span<const PlaneField::Array> values_at_points,
-                                               std::span<const PeriodicRule> periodic) const {
+                                               std::span<const PeriodicRule> periodic,
+                                               const std::vector<std::string>& points) const {
   std::vector<std::string> with_options = meshes_;  // and pages, which draw the mesh
   std::copy_if(reports_.begin(), reports_.end(), std::back_inserter(with_options),
                [](const std::string& path) { return extension_of(path) == ".html"; });
@@ -111,6 +123,9 @@ std::vector<std::string> OutputFiles::warnings(const std::vector<Attribute>& att
     for (const PeriodicRule& rule : periodic) sides.push_back(describe(rule));
     sentences.push_back(lost("attributes", names_of(attributes), attribute_formats()));
     sentences.push_back(lost("pairs on periodic sides", sides, periodic_formats()));
+    if (!writes(".vtm"))
+      sentences.push_back(
+          lost("names of points", first_of_all(points), point_formats(write_options())));
   }
   sentences.push_back(lost("values at points", names_of(values_at_points), value_formats()));
   std::erase_if(sentences, [](const std::string& sentence) { return sentence.empty(); });
@@ -142,9 +157,9 @@ std::string OutputFiles::regions_joined(const RegionTable& table) const {
       counted(named, "region"), counted(sets.size(), "element set"), listed(decks));
 }
 
-bool OutputFiles::has_manifest() const {
+bool OutputFiles::writes(std::string_view extension) const {
   return std::any_of(meshes_.begin(), meshes_.end(), [&](const std::string& path) {
-    return extension_of_output(path, format_) == ".json";
+    return extension_of_output(path, format_) == extension;
   });
 }
 

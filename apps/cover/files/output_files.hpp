@@ -59,12 +59,12 @@ class OutputFiles {
   /// Errors: bad_option
   [[nodiscard]] Status can_hold_periodic() const;
 
-  /// What is lost without harm, a sentence each: options that do nothing, `attributes` and pairs on
-  /// `periodic` sides that stand in no manifest and that a file cannot hold, and values at points
-  /// that none of them can.
+  /// What is lost without harm, a sentence each: options that do nothing, `attributes`, pairs on
+  /// `periodic` sides and names of `points` that stand in no manifest and that a file cannot hold,
+  /// and values at points that none of them can. A .vtm tells names of points to files beside it.
   [[nodiscard]] std::vector<std::string> warnings(
       const std::vector<Attribute>& attributes, std::span<const PlaneField::Array> values_at_points,
-      std::span<const PeriodicRule> periodic) const;
+      std::span<const PeriodicRule> periodic, const std::vector<std::string>& points = {}) const;
   /// What is lost of the mesh itself, a sentence each: digits of coordinates that a file cannot
   /// hold, and named lines that --no-inner-lines leaves out and that stand in no manifest.
   [[nodiscard]] std::vector<std::string> warnings_of(const Output& output) const;
@@ -92,7 +92,8 @@ class OutputFiles {
     bool is_report = false;
   };
 
-  [[nodiscard]] bool has_manifest() const;
+  [[nodiscard]] bool has_manifest() const { return writes(".json"); }
+  [[nodiscard]] bool writes(std::string_view extension) const;
   [[nodiscard]] std::string rounding(const Output& output) const;
   [[nodiscard]] std::string lines_left_out(const RegionTable& table) const;
   /// That files hold none of what is called so: all but those in a format that is `holding`.

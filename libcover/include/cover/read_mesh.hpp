@@ -39,7 +39,7 @@ struct MeshFile {
   std::vector<std::int64_t> group;  ///< per triangle: its physical group or element set; else empty
   std::map<std::int64_t, std::string> region_names;  ///< of groups, or of materials
   std::map<std::int64_t, std::string> line_names;    ///< of groups of lines
-  std::vector<NamedPoint> named_points;              ///< .msh, with their numbers in `soup`
+  std::vector<NamedPoint> named_points;              ///< .msh, .vtm, .vtkhdf; numbers of `soup`
   bool second_order = false;  ///< triangles had six nodes; their corners were taken
   /// By triangle, where all have six nodes: the middle nodes, from that of the first edge on.
   std::vector<std::array<Point, 3>> middles{};

@@ -49,6 +49,10 @@ std::vector<std::string> value_formats();
 /// Those of write_formats() that hold Output::periodic.
 std::vector<std::string> periodic_formats();
 
+/// Those of write_formats() that hold Pslg::named_points, by name or as numbers of groups: .msh not
+/// in parts.
+std::vector<std::string> point_formats(const WriteOptions& options = {});
+
 /// Those of write_formats() in which solvers find regions and lines by the numbers of groups.
 std::vector<std::string> number_formats();
 

@@ -85,6 +85,16 @@ TEST(OutputFiles, WarnsOfWhatIsLost) {
             "pairs on periodic sides ('left' and 'right') are not in a.xdmf, c.inp, d.mesh: "
             "formats that hold them are "
             ".vtu, .vtm, .vtkhdf, .vtk, .msh, .pvtu, .json");
+  const Strings wells{"well", "probe", "well"};
+  EXPECT_EQ(Asked({"-o", "a.vtm", "-o", "a.vtu"}).files.warnings({}, {}, {}, wells), Strings{});
+  EXPECT_EQ(Asked({"-o", "a.vtu", "-o", "a.json"}).files.warnings({}, {}, {}, wells), Strings{});
+  EXPECT_EQ(Asked({"-o", "a.xdmf", "-o", "b.inp", "-o", "c.vtk"}).files.warnings({}, {}, {}, wells),
+            Strings{"names of points (well, probe) are not in a.xdmf, c.vtk: formats that hold "
+                    "them are .vtm, .vtkhdf, .msh, .mesh, .inp, .json"});
+  const Strings many{"a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "b", "l"};
+  const Strings some = Asked({"-o", "a.vtk"}).files.warnings({}, {}, {}, many);
+  ASSERT_EQ(some.size(), 1u);
+  EXPECT_EQ(some[0].find("names of points (a, b, c, d, e, f, g, h, i, j and 2 more) are"), 0u);
   const Strings idle = Asked({"-o", "a.vtu", "--xdmf", "hdf5"}).files.warnings({}, {}, {});
   EXPECT_EQ(idle, Strings{"--xdmf does nothing: it counts with .xdmf only"});
 }

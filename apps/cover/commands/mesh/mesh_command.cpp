@@ -370,8 +370,10 @@ void log_input(const MeshCommand& command, const Input& input, const Options& op
   for (const std::string& option : command.input.ignored()) log.warn("{}", option);
   const std::vector<PlaneField::Array> none;
   const auto& values = input.field ? input.field->arrays : none;
+  std::vector<std::string> points;
+  for (const PointName& point : input.point_names) points.push_back(point.name);
   for (const std::string& warning :
-       command.files.warnings(input.attributes, values, periodic_rules(input, options)))
+       command.files.warnings(input.attributes, values, periodic_rules(input, options), points))
     log.warn("{}", warning);
   log_warnings(log, input.warnings);
 }

@@ -26,6 +26,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Names of points as the .vtm has them: those of a .msh lack letters. Old versions have none.
+void take_points(StoredMesh& named, StoredMesh& stored) {
+  if (!named.points.empty()) stored.points = std::move(named.points);
+}
+
 /// Names, lines and arrays for the triangles of `stored` out of the .vtm of the same mesh; false,
 /// and nothing is changed, if it is of another one.
 Result<bool> take_names_from_vtm(const std::string& path, StoredMesh& stored) {
@@ -37,6 +42,7 @@ Result<bool> take_names_from_vtm(const std::string& path, StoredMesh& stored) {
   stored.regions = std::move(named.regions);
   stored.interfaces = std::move(named.interfaces);
   stored.edges = std::move(named.edges);
+  take_points(named, stored);
   stored.attributes = std::move(named.attributes);
   stored.fields = std::move(named.fields);
   stored.provenance = std::move(named.provenance);
@@ -48,14 +54,15 @@ Result<bool> take_names_from_vtm(const std::string& path, StoredMesh& stored) {
   return true;
 }
 
-/// How the .vtm of the same mesh was made, for triangles without numbers of regions, to which it
-/// can give nothing else.
+/// How the .vtm of the same mesh was made and names of points, for triangles without numbers of
+/// regions, to which it can give nothing else.
 void take_run_from_vtm(const std::string& path, StoredMesh& stored) {
   Result<VtmMesh> blocks = read_vtm(path);
   if (!blocks) return;
   std::vector<std::string> ignored;
   StoredMesh named = std::move(*blocks).finish(ignored);
   if (named.soup.points != stored.soup.points) return;
+  take_points(named, stored);
   stored.provenance = std::move(named.provenance);
   stored.cut_vertices = std::max(stored.cut_vertices, named.cut_vertices);
 }

@@ -34,6 +34,7 @@ struct Format {
   bool attributes = false;
   bool values = false;       ///< at points
   bool periodic = false;     ///< which vertices are images of each other
+  bool points = false;       ///< names of points, or groups of them
   bool numbers = false;      ///< solvers find regions and lines by the numbers of groups
   bool triangles = true;     ///< holds any
   bool second_order = true;  ///< can hold triangles with six nodes, or no triangles at all
@@ -57,13 +58,15 @@ constexpr std::array kFormats{
            .attributes = true,
            .values = true,
            .periodic = true,
+           .points = true,
            .files = Files::several,
            .companions = {""}},
     Format{.extension = ".vtkhdf",
            .write = write_vtkhdf,
            .attributes = true,
            .values = true,
-           .periodic = true},
+           .periodic = true,
+           .points = true},
     Format{
         .extension = ".vtk", .write = write_vtk, .values = true, .periodic = true, .numbers = true},
     Format{.extension = ".msh",
@@ -71,6 +74,7 @@ constexpr std::array kFormats{
            .attributes = true,
            .values = true,
            .periodic = true,
+           .points = true,
            .numbers = true,
            .files = Files::one_or_parts},
     Format{.extension = ".pvtu",
@@ -86,8 +90,8 @@ constexpr std::array kFormats{
            .values = true,
            .numbers = true,
            .files = Files::one_or_with_hdf5},
-    Format{.extension = ".mesh", .write = write_medit, .numbers = true},
-    Format{.extension = ".inp", .write = write_inp},
+    Format{.extension = ".mesh", .write = write_medit, .points = true, .numbers = true},
+    Format{.extension = ".inp", .write = write_inp, .points = true},
     Format{.extension = ".ele",
            .write = write_triangle,
            .numbers = true,
@@ -100,6 +104,7 @@ constexpr std::array kFormats{
            .write = write_manifest,
            .attributes = true,
            .periodic = true,
+           .points = true,
            .triangles = false},
     Format{.extension = ".poly", .write = write_clean_input, .triangles = false},
 };
@@ -235,6 +240,13 @@ std::vector<std::string> value_formats() {
 
 std::vector<std::string> periodic_formats() {
   return formats_with([](const Format& format) { return format.periodic; });
+}
+
+std::vector<std::string> point_formats(const WriteOptions& options) {
+  std::vector<std::string> formats =
+      formats_with([](const Format& format) { return format.points; });
+  if (options.parts != 1) std::erase(formats, ".msh");
+  return formats;
 }
 
 std::vector<std::string> number_formats() {

@@ -1,7 +1,7 @@
 // A block per group of regions and per group of lines, under the names that people see in ParaView
 // and that .msh has for its physical groups: whoever extracts the block SiO2 gets all of it. The
-// blocks are files in a folder beside the target. What blocks cannot hold, names of materials above
-// all, stands in an element behind them that VTK does not look at.
+// blocks are files in a folder beside the target. What blocks cannot hold, names of materials and
+// of points above all, stands in an element behind them that VTK does not look at.
 // Tested by tests/unit/io/write_mesh/vtk_formats/write_vtm_test.cpp.
 #include <cover/mesh.hpp>
 #include <cover/mesh_view.hpp>
@@ -132,6 +132,9 @@ class VtmWriter {
     for (const Interface& line : output_.table.interfaces)
       text_ +=
           fmt::format("    <Line Id=\"{}\" Name=\"{}\"/>\n", line.id.value(), attribute(line.name));
+    for (std::size_t k = 0; k < view_.named.size(); ++k)
+      text_ += fmt::format("    <Point Vertex=\"{}\" Name=\"{}\"/>\n", view_.named[k],
+                           attribute(view_.point_groups[view_.named_group[k]].original));
     for (const Attribute& of : view_.attributes) {
       text_ += fmt::format("    <Attribute Name=\"{}\">\n", attribute(of.name));
       for (std::size_t k = 0; k < of.words.size(); ++k)

@@ -77,7 +77,8 @@ class BlockFiles {
   std::optional<XmlElement> names_;
 };
 
-/// Takes over the names and the origin; those of regions and lines that are not there are left.
+/// Takes over the names and the origin; those of regions, lines and points that are not there are
+/// left.
 void take_names(const XmlElement& names, StoredMesh& stored) {
   const auto text = [](const XmlElement& element, const char* name) {
     return std::string(element.value(name));
@@ -94,6 +95,13 @@ void take_names(const XmlElement& names, StoredMesh& stored) {
   for (const XmlElement& element : names.children) {
     if (element.name == "Option")
       stored.provenance.settings.push_back({text(element, "Name"), text(element, "Value")});
+    if (element.name == "Point") {
+      const long vertex = parse_integer(element.value("Vertex")).value_or(-1);
+      if (vertex >= 0 && static_cast<std::size_t>(vertex) < stored.soup.points.size())
+        stored.points.push_back(
+            {VertexId(static_cast<std::uint32_t>(vertex)), text(element, "Name")});
+      continue;
+    }
     const long id = parse_integer(element.value("Id")).value_or(0);
     if (id < 1) continue;
     const std::size_t k = static_cast<std::size_t>(id) - 1;
@@ -361,6 +369,7 @@ Result<MeshFile> read_vtm_mesh(const std::string& path) {
   file.second_order = blocks->mesh.second_order;
   file.cut_vertices = blocks->mesh.cut_vertices;
   file.has_periodic_points = blocks->has_periodic_points;
+  file.named_points = std::move(blocks->mesh.points);
   file.point_arrays = std::move(blocks->of_points);
   for (const StoredEdge& edge : blocks->mesh.edges)
     file.lines.push_back({edge.a, edge.b, edge.interface.value(), edge.marker});
