@@ -37,6 +37,11 @@ std::string row_of_dots(std::size_t rows, std::size_t shown) {
                                      grouped(rows - shown));
 }
 
+/// What the input calls it, or what people read where the input does not name it.
+const std::string& name_of_group(const Group& group) {
+  return group.is_made_up ? group.label : group.original;
+}
+
 /// Names that .msh, .inp and .obj bear in another form only; the rest are not listed.
 std::string renamed_text(const MeshView& view, const std::vector<std::string>& files, bool all) {
   const auto writes = [&](std::string_view extension) {
@@ -51,7 +56,7 @@ std::string renamed_text(const MeshView& view, const std::vector<std::string>& f
     std::size_t rows = 0;
     for (std::size_t g = 0; g < groups.size(); ++g) {
       if (lower(names[g]) == lower(groups[g].original)) continue;
-      if (++rows <= kGroupRows || all) table.add({names[g], groups[g].label});
+      if (++rows <= kGroupRows || all) table.add({names[g], name_of_group(groups[g])});
     }
     if (rows > 0) text += table.text() + row_of_dots(rows, all ? rows : std::min(rows, kGroupRows));
   };
@@ -111,7 +116,7 @@ std::string group_text(const StreamedOutput& streamed, const std::vector<std::st
                         [&](std::size_t g) { return !view.line_groups[g].is_made_up; });
   for (std::size_t k = 0; k < line_rows; ++k) {
     const Group& group = view.line_groups[order[k]];
-    const std::string& name = group.is_made_up ? group.label : group.original;
+    const std::string& name = name_of_group(group);
     const bool marker = !name.empty() && name.find_first_not_of("-0123456789") == std::string::npos;
     lines.add({fmt::format("{}", group.tag), (marker ? "marker " : "") + name});
   }
