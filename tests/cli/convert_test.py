@@ -536,6 +536,12 @@ class NamedPoints(Case):
             for files in ('-o', 'b.vtu', '-o', 'b.json'), ('-o', 'c.vtu', '-o', 'c.vtm'), ('-o', 'd.msh'), ('-o', 'd.vtkhdf'), ('-o', 'd.poly'):
                 self.assertNotIn('names of points', self.run_cover(*words, *files)[1])
 
+    def test_numbers_of_points_are_those_of_a_file(self):
+        for name, has_some in ('a.msh', True), ('a.mesh', True), ('a.xdmf', False), ('a.vtk', False), ('a.ele', False):
+            out, _ = self.run_cover('mesh', 'map.geojson', '-o', name)
+            (self.assertRegex if has_some else self.assertNotRegex)(out, r'group +point *\n')
+        self.assertNotIn('Sonde', self.run_cover('mesh', 'map.geojson', '-o', 'a.obj')[0])
+
     def test_points_keep_their_names_through_files(self):
         self.run_cover('mesh', 'map.geojson', '-o', 'a.msh', '-q')
         for name in 'a.msh', 'b.vtkhdf', 'd.vtm', 'c.vtu':

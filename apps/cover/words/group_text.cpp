@@ -31,6 +31,13 @@ bool has_numbers(const std::string& file) {
   return std::find(formats.begin(), formats.end(), extension_of(file)) != formats.end();
 }
 
+/// Whether points have groups in it, whose numbers solvers find them by.
+bool has_numbers_of_points(const std::string& file, const WriteOptions& options) {
+  const std::vector<std::string> formats = point_formats(options);
+  return has_numbers(file) &&
+         std::find(formats.begin(), formats.end(), extension_of(file)) != formats.end();
+}
+
 std::string row_of_dots(std::size_t rows, std::size_t shown) {
   return shown == rows ? std::string()
                        : fmt::format("  and {} more: -v, or the manifest (-o NAME.json)\n",
@@ -43,7 +50,8 @@ const std::string& name_of_group(const Group& group) {
 }
 
 /// Names that .msh, .inp and .obj bear in another form only; the rest are not listed.
-std::string renamed_text(const MeshView& view, const std::vector<std::string>& files, bool all) {
+std::string renamed_text(const MeshView& view, const std::vector<std::string>& files,
+                         const WriteOptions& options, bool all) {
   const auto writes = [&](std::string_view extension) {
     return std::any_of(files.begin(), files.end(),
                        [&](const std::string& file) { return is_any_of(file, {extension}); });
@@ -77,9 +85,11 @@ std::string renamed_text(const MeshView& view, const std::vector<std::string>& f
   };
   const std::vector<Group> others = node_sets(view);
   for (const auto* groups : {&view.region_groups, &others}) {
-    if (writes(".msh")) list_labels(*groups);
+    // An .obj holds no points, nor does a .msh in parts.
+    const std::vector<Group>& without_points = groups == &others ? view.line_groups : *groups;
+    if (writes(".msh")) list_labels(options.parts == 1 ? *groups : without_points);
     if (writes(".inp")) list(".inp", *groups, abaqus_names(*groups));
-    if (writes(".obj")) list(".obj", *groups, safe(*groups));
+    if (writes(".obj")) list(".obj", without_points, safe(without_points));
   }
   return text;
 }
@@ -97,7 +107,7 @@ std::string group_text(const StreamedOutput& streamed, const std::vector<std::st
   numbers.ids = options.ids;
   const MeshView view =
       streamed.is_streamed() ? view_of_lines(streamed, numbers) : view_of(output, numbers);
-  std::string renamed = renamed_text(view, files, all);
+  std::string renamed = renamed_text(view, files, options, all);
   if (std::none_of(files.begin(), files.end(), has_numbers)) return renamed;
   using Align = TextTable::Align;
   TextTable regions({{"group"}, {"material"}, {"region", Align::left}});
@@ -121,7 +131,11 @@ std::string group_text(const StreamedOutput& streamed, const std::vector<std::st
     lines.add({fmt::format("{}", group.tag), (marker ? "marker " : "") + name});
   }
   TextTable points({{"group"}, {"point", Align::left}});
-  const std::size_t point_rows = shown(view.point_groups.size());
+  const bool has_points = std::any_of(files.begin(), files.end(), [&](const std::string& file) {
+    return has_numbers_of_points(file, options);
+  });
+  const std::size_t points_in_files = has_points ? view.point_groups.size() : 0;
+  const std::size_t point_rows = shown(points_in_files);
   for (std::size_t g = 0; g < point_rows; ++g) {
     const Group& group = view.point_groups[g];
     points.add({fmt::format("{}", group.tag), group.original});
@@ -134,7 +148,7 @@ std::string group_text(const StreamedOutput& streamed, const std::vector<std::st
          regions.text() + row_of_dots(view.region_groups.size(), region_rows) + lines.text() +
          row_of_dots(view.line_groups.size(), line_rows) +
          (point_rows > 0 ? points.text() : std::string()) +
-         row_of_dots(view.point_groups.size(), point_rows) + renamed;
+         row_of_dots(points_in_files, point_rows) + renamed;
 }
 
 }  // namespace cover::app
