@@ -243,6 +243,12 @@ class Names(Case):
                 self.assertRegex(out, re.escape(made) + r' +' + re.escape(name))
         self.assertRegex(out, r'KONTAKT___ +Kontakt Ä')
         self.assertNotIn('in .inp', self.run_cover('mesh', self.write('s.poly', SQUARE), '-o', 's.inp')[0])
+        # What is converted is told alike.
+        table = out[out.index('  in .inp'):]
+        self.assertEqual(self.run_cover('convert', 'm.inp', '-o', 'c.inp')[0], table)
+        self.assertEqual(self.run_cover('convert', 'm.inp', '-o', 'c.vtu')[0], '')
+        self.assertEqual(self.run_cover('convert', 'm.inp', '-o', 'c.inp', '-q')[0], '')
+        self.assertIn('in .msh', self.run_cover('convert', 'm.inp', '-o', 'c.msh')[0])
         # All nodes are a set of the writer's own, and names have 80 characters.
         square = {'polygons': [{'material': 'Si', 'region': 'r' * 81, 'rings': [[[0, 0], [1, 0], [1, 1], [0, 1]]]}],
                   'lines': [{'name': 'Nall', 'points': [[0, 0], [1, 0]]}]}

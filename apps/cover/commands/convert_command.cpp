@@ -21,6 +21,7 @@
 #include "terminal/console.hpp"
 #include "terminal/interrupt.hpp"
 #include "terminal/progress_line.hpp"
+#include "words/group_text.hpp"
 
 namespace cover::app {
 
@@ -81,6 +82,14 @@ Examples:
     log->warn("{}", joined);
   const Status done = files.write(*mesh, interrupt.token(), ShowProgress::off, *log);
   if (!done) return fail(*log, done.error());
+  if (verbosity.quiet) return exit_ok;
+  const std::string renamed =
+      renamed_text(*mesh, files.meshes(), files.write_options(), verbosity.verbose > 0);
+  // What is piped out of stdout must be the mesh alone.
+  if (files.has_stdout())
+    print_on_stderr(renamed);
+  else
+    fmt::print("{}", renamed);
   return exit_ok;
 }
 

@@ -49,7 +49,10 @@ const std::string& name_of_group(const Group& group) {
   return group.is_made_up ? group.label : group.original;
 }
 
-/// Names that .msh, .inp and .obj bear in another form only; the rest are not listed.
+/// Whether its format bears names, and some in another form only.
+bool may_rename(const std::string& file) { return is_any_of(file, {".msh", ".inp", ".obj"}); }
+
+/// Names that formats bear in another form only; the rest are not listed.
 std::string renamed_text(const MeshView& view, const std::vector<std::string>& files,
                          const WriteOptions& options, bool all) {
   const auto writes = [&](std::string_view extension) {
@@ -98,9 +101,7 @@ std::string renamed_text(const MeshView& view, const std::vector<std::string>& f
 
 std::string group_text(const StreamedOutput& streamed, const std::vector<std::string>& files,
                        const WriteOptions& options, bool all) {
-  const auto tells = [](const std::string& file) {
-    return has_numbers(file) || is_any_of(file, {".inp", ".obj"});
-  };
+  const auto tells = [](const std::string& file) { return has_numbers(file) || may_rename(file); };
   if (std::none_of(files.begin(), files.end(), tells)) return {};
   const Output& output = streamed.output;
   WriteOptions numbers;
@@ -149,6 +150,14 @@ std::string group_text(const StreamedOutput& streamed, const std::vector<std::st
          row_of_dots(view.line_groups.size(), line_rows) +
          (point_rows > 0 ? points.text() : std::string()) +
          row_of_dots(points_in_files, point_rows) + renamed;
+}
+
+std::string renamed_text(const Output& output, const std::vector<std::string>& files,
+                         const WriteOptions& options, bool all) {
+  if (std::none_of(files.begin(), files.end(), may_rename)) return {};
+  WriteOptions numbers;
+  numbers.ids = options.ids;
+  return renamed_text(view_of(output, numbers), files, options, all);
 }
 
 }  // namespace cover::app

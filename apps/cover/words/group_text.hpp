@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <cover/output.hpp>
 #include <cover/stream_mesh.hpp>
 #include <cover/write_mesh.hpp>
 
@@ -15,5 +16,9 @@ namespace cover::app {
 /// all.
 std::string group_text(const StreamedOutput& output, const std::vector<std::string>& files,
                        const WriteOptions& options, bool all);
+
+/// Of that, the names alone that formats bear in another form only.
+std::string renamed_text(const Output& output, const std::vector<std::string>& files,
+                         const WriteOptions& options, bool all);
 
 }  // namespace cover::app
