@@ -1,7 +1,8 @@
 // gmsh's .msh as geometry: the mesh is taken apart again into the borders of its physical surfaces
 // and its physical curves, so that a gmsh model can be remeshed.
 //
-// A surface element has the material of its physical group: the group's name, else its number.
+// A surface element has the material of its physical group: the group's name, else its number. A
+// name that is a number is that of the region too.
 // Surfaces in no group are materials of their own ("surface_7"). Line elements count where they are
 // in a physical group, whose name becomes the contact's, and all of them in a file without
 // surfaces. Of elements of higher order the corners are taken.
@@ -10,6 +11,8 @@
 
 #include <limits>
 #include <map>
+#include <set>
+#include <string>
 
 #include <cover/text.hpp>
 
@@ -32,6 +35,9 @@ class CellsOfMsh {
     for (const MshElement& element : file_.elements) add(element);
     if (mesh_.cells() == 0) mesh_.lines.insert(mesh_.lines.end(), loose_.begin(), loose_.end());
     Input input = borders_of(mesh_);
+    // Where it is a number, the name of the material would be another than that of the group.
+    for (RegionSeed& seed : input.seeds)
+      if (named_.contains(seed.material)) seed.region = seed.material;
     if (second_order_ > 0)
       input.warnings.push_back(fmt::format(
           "{} elements of higher order: their corners are taken, their other nodes left out",
@@ -82,6 +88,7 @@ class CellsOfMsh {
   std::uint32_t material_of(const MshElement& element) {
     const std::string name = element.physical != 0 ? group_name(2, element.physical)
                                                    : fmt::format("surface_{}", element.entity);
+    if (file_.names.contains({2, element.physical})) named_.insert(name);
     const auto [at, is_new] =
         material_.emplace(name, static_cast<std::uint32_t>(mesh_.materials.size()));
     if (is_new) mesh_.materials.push_back(name);
@@ -90,6 +97,7 @@ class CellsOfMsh {
 
   MshFile file_;
   std::map<std::string, std::uint32_t> material_;
+  std::set<std::string> named_;        // materials that physical groups are called by, not numbered
   std::vector<CellMesh::Line> loose_;  // line elements in no physical group
   std::size_t second_order_ = 0;
   CellMesh mesh_;

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <initializer_list>
 
+#include <cover/cover_mesh.hpp>
+
 #include "io/input/formats.hpp"
 
 namespace cover {
@@ -139,6 +141,18 @@ TEST(ReadMshNames, OfPhysicalPoints) {
   EXPECT_EQ(input->point_names[0].name, "well");
   EXPECT_EQ(input->points[input->point_names[0].point], (Point{0, 0}));
   EXPECT_TRUE(parse_msh(kMesh22, "dev.msh")->point_names.empty());  // its group has none
+}
+
+TEST(ReadMshNames, OfPhysicalSurfacesStayIfTheyAreNumbers) {
+  const Result<Input> input = parse_msh(with_replaced("2 1 \"Si\"", "2 1 \"7\""), "dev.msh");
+  ASSERT_TRUE(input.has_value()) << input.error().message;
+  const Result<Prepared> prepared = prepare(*input, {});
+  ASSERT_TRUE(prepared.has_value()) << prepared.error().message;
+  ASSERT_EQ(prepared->table.regions.size(), 2U);
+  EXPECT_EQ(prepared->table.regions[0].name, "7");
+  EXPECT_EQ(prepared->table.regions[0].material, 7);
+  EXPECT_EQ(prepared->table.regions[1].name, "SiO2");
+  EXPECT_EQ(prepared->table.regions[1].material_name, "SiO2");
 }
 
 TEST(ReadMshErrors, SayFileAndLine) {
