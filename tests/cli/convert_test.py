@@ -231,6 +231,11 @@ class Names(Case):
         self.run_cover('mesh', 'd.json', '-o', 'm.json', '-q')
         self.assertNotIn('made up', self.run_cover('convert', 'm.xdmf', '-o', 'n.vtu')[1])
 
+    def test_materials_that_a_lone_msh_lacks_are_told(self):
+        self.run_cover('mesh', 'd.json', '-o', 'm.msh', '-q')
+        self.assertIn('m.msh holds no numbers and names of materials, and neither m.json nor m.vtm is there: they are made up',
+                      self.run_cover('convert', 'm.msh', '-o', 'n.vtu')[1])
+
     def test_where_they_cannot_it_is_told(self):
         out, _ = self.run_cover('mesh', 'd.json', '-o', 'm.inp', '-o', 'm.json')
         sets = re.findall(r'ELSET=(\S+)', (self.dir / 'm.inp').read_text())

@@ -140,7 +140,8 @@ std::string complete_from_file(const MeshFile& file, StoredMesh& stored,
   std::vector<std::string> missing;
   TriangleSoup& soup = stored.soup;
   if (soup.material.empty()) {
-    missing.emplace_back("numbers of materials");
+    missing.emplace_back(file.region_names.empty() ? "numbers of materials"
+                                                   : "numbers and names of materials");
     soup.material = file.group.empty() ? soup.region : file.group;
   }
   const std::vector<std::int64_t> numbers = soup.material;
@@ -151,7 +152,7 @@ std::string complete_from_file(const MeshFile& file, StoredMesh& stored,
   }
   if (!file.region_names.empty()) {
     stored.regions = named_regions(file, soup, numbers);
-    // Groups are named after regions. Where numbers of materials are missing, names are too.
+    // Groups are named after regions.
     if (!file.group.empty() && !file.soup.material.empty())
       missing.emplace_back("names of materials");
   } else {
