@@ -553,6 +553,14 @@ class NamedPoints(Case):
             (self.assertRegex if has_some else self.assertNotRegex)(out, r'group +point *\n')
         self.assertNotIn('Sonde', self.run_cover('mesh', 'map.geojson', '-o', 'a.obj')[0])
 
+    def test_info_and_reports_list_them(self):
+        out, _ = self.run_cover('info', 'map.geojson', '-v')
+        self.assertRegex(out, r'Named points\n +point +name +at\n +\d+ +Sonde ö +\(4, 3\)\n +\d+ +well "1" +\(2, 2\)\n')
+        self.assertNotIn('Named points', self.run_cover('info', 'map.geojson')[0])
+        self.run_cover('mesh', 'map.geojson', '-o', 'a.vtm', '--report', 'r.json', '-q')
+        points = json.loads((self.dir / 'r.json').read_text())['input']['named_points']
+        self.assertEqual([(point['name'], point['at']) for point in points], [('Sonde ö', [4, 3]), ('well "1"', [2, 2]), ('well "1"', [6, 5])])
+
     def test_points_keep_their_names_through_files(self):
         self.run_cover('mesh', 'map.geojson', '-o', 'a.msh', '-q')
         for name in 'a.msh', 'b.vtkhdf', 'd.vtm', 'c.vtu':

@@ -382,6 +382,17 @@ std::string lines_between(const Prepared& prepared, bool every_line) {
          more(table.interfaces.size(), longest.size(), "lines, longest first");
 }
 
+/// Points that the input calls by a name.
+std::string named_points(const Pslg& pslg) {
+  if (pslg.named_points.empty()) return {};
+  TextTable points({{"point"}, {"name", Align::left}, {"at", Align::left}});
+  for (const NamedPoint& point : pslg.named_points) {
+    const std::size_t v = point.vertex.index();
+    points.add({fmt::format("{}", pslg.point_ids[v]), point.name, cover::describe(pslg.points[v])});
+  }
+  return "\nNamed points\n" + points.text();
+}
+
 }  // namespace
 
 std::string mesh_text(const StreamedOutput& streamed, bool every_region) {
@@ -399,6 +410,7 @@ std::string info_text(const Prepared& prepared, bool every_region) {
       plural(prepared.pslg.segments.size(), "segment"), plural(table.regions.size(), "region"),
       plural(table.interfaces.size(), "interface"), unit_text(prepared.report));
   out += bounds_of_regions(prepared, every_region) + lines_between(prepared, every_region);
+  if (every_region) out += named_points(prepared.pslg);
   if (!table.void_points.empty() || !table.void_segments.empty()) {
     out += fmt::format("\nWholly in the void, left out of a mesh: {}, {}\n",
                        plural(table.void_points.size(), "point"),

@@ -4,7 +4,8 @@
 //   { "format": "cover report", "version": 1,
 //     "cover": version, "options": { name: value } as in the manifest,
 //     "input":  { "source", "unit", "scale", "points", "segments": before any of them was cut,
-//                 "void_points": [ids], "void_segments": n },
+//                 "void_points": [ids], "void_segments": n,
+//                 "named_points": [ { "name", "id", "at": [x, y] } ] where there are any },
 //     "mesh":   { "vertices", "edges", "triangles", "steiner_vertices": new ones inside regions,
 //                 "cut_vertices": new ones on segments },
 //     "overall": LIMITS + QUALITY + { "bound_held": regions, "bound_missed": [region ids],
@@ -112,13 +113,20 @@ Json to_json(const Interface& line) {
 Json input_json(const Pslg& pslg, const RegionTable& table, const Report& report) {
   Json void_points = Json::array();
   for (const VertexId v : table.void_points) void_points.push_back(pslg.point_ids[v.index()]);
-  return {{"source", report.provenance.source},
-          {"unit", report.unit},
-          {"scale", report.scale},
-          {"points", report.input_points},
-          {"segments", report.input_segments},
-          {"void_points", void_points},
-          {"void_segments", table.void_segments.size()}};
+  Json json{{"source", report.provenance.source},
+            {"unit", report.unit},
+            {"scale", report.scale},
+            {"points", report.input_points},
+            {"segments", report.input_segments},
+            {"void_points", void_points},
+            {"void_segments", table.void_segments.size()}};
+  for (const NamedPoint& point : pslg.named_points) {
+    const std::size_t v = point.vertex.index();
+    json["named_points"].push_back({{"name", point.name},
+                                    {"id", pslg.point_ids[v]},
+                                    {"at", {pslg.points[v].x, pslg.points[v].y}}});
+  }
+  return json;
 }
 
 Json mesh_json(const Output& output, const MeshCounts& mesh) {
