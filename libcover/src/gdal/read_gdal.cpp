@@ -68,12 +68,15 @@ class MapReader {
     for (OGRLayerH layer : layers) {
       if (!error_) read_layer(layer);
     }
+    note_beside_areas();
     if (!error_) error_ = asked_.settle(options_, input_);
     if (!error_ && input_.polygons.empty() && input_.lines.empty() && input_.points.empty())
       fail(ErrorCode::syntax, "no polygon, line or point in it");
     if (error_) return *std::move(error_);
     tell();
     input_.attributes = attributes_.attributes();
+    attributes_.tell_mixed(input_.warnings);
+    if (!options_.is_one_of_several) tell_spelled_numbers(input_.attributes, input_.warnings);
     tell_renamed(input_.attributes, input_.warnings);
     return std::move(input_);
   }
@@ -178,9 +181,11 @@ class MapReader {
     size_ = field_of(layer, "", "size", "");
     priority_ = field_of(layer, options_.priority_field, "priority", "priority_field");
     kept_.clear();
-    for (const std::string& name : options_.keep_fields)
-      kept_.push_back(is_feature_id(layer, name) ? kOwnNumber
-                                                 : field_of(layer, name, "", "keep_field"));
+    for (const std::string& name : options_.keep_fields) {
+      const bool is_own = is_feature_id(layer, name);
+      if (is_own) asked_.note("keep_field", name, true, "");
+      kept_.push_back(is_own ? kOwnNumber : field_of(layer, name, "", "keep_field"));
+    }
     Result<MapProjection> projection =
         projection_of(gdal_.OGR_L_GetSpatialRef(layer), options_.crs);
     if (!projection) {
@@ -214,6 +219,15 @@ class MapReader {
     if (!input_.system.empty() || system.empty()) return;
     input_.system = system;
     system_layer_ = gdal_.OGR_L_GetName(layer);
+  }
+
+  /// An attribute that no area has is not there, whatever layers have.
+  void note_beside_areas() {
+    for (std::size_t k = 0; k < attributes_.names().size(); ++k) {
+      const std::string& name = attributes_.names()[k];
+      const std::optional<std::string> beside = attributes_.beside_areas(k, "attribute");
+      if (beside && name != kFeatureId) asked_.deny("keep_field", name, *beside);
+    }
   }
 
   bool has(OGRFeatureH feature, int field) {
@@ -274,9 +288,9 @@ class MapReader {
 
   void read_feature(OGRFeatureH feature) {
     words_ = words_of(feature);
-    feature_ = attributes_.add_feature();
-    for (std::size_t k = 0; k < kept_.size(); ++k) attributes_.set(k, value_of(feature, kept_[k]));
     fid_ = gdal_.OGR_F_GetFID(feature);
+    feature_ = attributes_.add_feature(static_cast<long>(fid_));
+    for (std::size_t k = 0; k < kept_.size(); ++k) attributes_.set(k, value_of(feature, kept_[k]));
     ++features_;
     Geometry geometry(gdal_.OGR_F_StealGeometry(feature));
     if (!geometry) return;
@@ -352,6 +366,7 @@ class MapReader {
 
   void add_polygon(OGRGeometryH polygon) {
     if (gdal_.OGR_G_IsEmpty(polygon) != 0) return;
+    attributes_.add_shape(feature_, FeatureShape::area);
     InputPolygon out;
     for (OGRGeometryH ring : parts_of(polygon)) out.rings.push_back(points_of(ring));
     out.material = words_.material;
@@ -366,6 +381,7 @@ class MapReader {
   void add_line(OGRGeometryH line) {
     if (gdal_.OGR_G_IsEmpty(line) != 0) return;
     if (words_.size) left_out_.add_size_of_line();
+    attributes_.add_shape(feature_, FeatureShape::line);
     InputLine out{words_.name, points_of(line), static_cast<long>(input_.lines.size())};
     if (out.points.size() < 2)
       return fail(ErrorCode::syntax,
@@ -376,6 +392,7 @@ class MapReader {
   void add_point(OGRGeometryH point) {
     if (gdal_.OGR_G_IsEmpty(point) != 0) return;
     if (words_.size) left_out_.add_size_of_point();
+    attributes_.add_shape(feature_, FeatureShape::point);
     for (const Point p : points_of(point)) {
       if (!words_.name.empty())
         input_.point_names.push_back(

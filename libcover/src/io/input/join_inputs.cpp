@@ -99,12 +99,44 @@ Attribute as_text(Attribute numbers) {
   return numbers;
 }
 
-/// The rows of `more` behind those of `all`.
-void append_rows(Attribute& all, Attribute more) {
-  if (all.is_text != more.is_text) {
-    all = as_text(std::move(all));
-    more = as_text(std::move(more));
+bool is_all_nothing(const Attribute& numbers) {
+  return std::all_of(numbers.values.begin(), numbers.values.end(),
+                     [](double value) { return std::isnan(value); });
+}
+
+/// Turns a column of text that spells numbers into them; false where a word spells none.
+bool make_numbers(Attribute& text) {
+  std::vector<double> numbers{kNoNumber};
+  for (const std::string& word : text.words) {
+    const std::optional<double> number = number_in_column(word);
+    if (!number) return false;
+    numbers.push_back(*number);
   }
+  for (double& value : text.values) value = numbers[static_cast<std::size_t>(value)];
+  text.words.clear();
+  text.is_text = false;
+  return true;
+}
+
+/// What AttributeTable makes of texts and numbers in one file.
+void make_alike(Attribute& all, Attribute& more, const std::string& source,
+                std::vector<std::string>& warnings) {
+  Attribute& text = all.is_text ? all : more;
+  if (const Attribute& numbers = all.is_text ? more : all; !is_all_nothing(numbers)) {
+    if (make_numbers(text)) return;
+    warnings.push_back(fmt::format(
+        "the attribute '{}' of {} has {}, and that of files before it {}: its array "
+        "numbers the different values 1, 2, ...",
+        all.name, source, more.is_text ? "words" : "numbers", more.is_text ? "numbers" : "words"));
+  }
+  all = as_text(std::move(all));
+  more = as_text(std::move(more));
+}
+
+/// The rows of `more` behind those of `all`.
+void append_rows(Attribute& all, Attribute more, const std::string& source,
+                 std::vector<std::string>& warnings) {
+  if (all.is_text != more.is_text) make_alike(all, more, source, warnings);
   if (all.is_text) {
     std::unordered_map<std::string, std::size_t> known;
     for (const std::string& word : all.words) known.emplace(word, known.size() + 1);
@@ -126,7 +158,7 @@ void join_attributes(Input& all, Input& more) {
     const auto same = std::find_if(all.attributes.begin(), all.attributes.end(),
                                    [&](const Attribute& a) { return a.name == attribute.name; });
     if (same != all.attributes.end()) {
-      append_rows(*same, std::move(attribute));
+      append_rows(*same, std::move(attribute), more.source, all.warnings);
     } else {
       attribute.values.insert(attribute.values.begin(), before, nothing_of(attribute));
       all.attributes.push_back(std::move(attribute));
@@ -243,6 +275,7 @@ Result<Input> join_inputs(std::vector<Input> inputs) {
   if (Status status = check_systems(inputs, warnings); !status) return std::move(status).error();
   if (std::optional<Error> missing = find_missing(inputs)) return *std::move(missing);
   share_units(inputs);
+  const bool is_joined = inputs.size() > 1;
   std::string source = inputs.front().source;
   for (std::size_t k = 1; k < inputs.size() && k < kNamed; ++k) source += ", " + inputs[k].source;
   source += and_more(inputs.size(), kNamed);
@@ -254,6 +287,7 @@ Result<Input> join_inputs(std::vector<Input> inputs) {
   }
   all.source = std::move(source);
   append(all.warnings, std::move(warnings));
+  if (is_joined) tell_spelled_numbers(all.attributes, all.warnings);
   return all;
 }
 

@@ -9,6 +9,7 @@
 #include <cover/text.hpp>
 
 #include "base/faults/errors.hpp"
+#include "base/words/characters.hpp"
 #include "io/text/array_names.hpp"
 #include "io/text/text.hpp"
 
@@ -51,6 +52,12 @@ void AskedNames::note(const std::string& option, const std::string& name, bool i
   if (!is_there) asked->missing += (asked->missing.empty() ? "" : "; ") + missing;
 }
 
+void AskedNames::deny(const std::string& option, const std::string& name,
+                      const std::string& missing) {
+  for (AskedName& asked : names_)
+    if (asked.option == option && asked.name == name) asked = {option, name, false, missing};
+}
+
 std::optional<Error> AskedNames::settle(const ReadOptions& options, Input& input) const {
   if (options.is_one_of_several) {
     input.asked = names_;
@@ -79,6 +86,29 @@ std::optional<double> number_in_words(std::string_view text) {
   if (begin == std::string_view::npos) return std::nullopt;
   const std::optional<double> number = parse_double(text.substr(begin, end + 1 - begin));
   return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+std::optional<double> number_in_column(std::string_view text) {
+  const std::optional<double> number = number_in_words(text);
+  const bool is_whole = text.find_first_not_of(" +-0123456789") == std::string_view::npos;
+  const bool is_held = number && std::abs(*number) < static_cast<double>(kLargestWhole);
+  return is_held || !is_whole ? number : std::nullopt;
+}
+
+void tell_spelled_numbers(const std::vector<Attribute>& attributes,
+                          std::vector<std::string>& warnings) {
+  const auto spells_number = [](const std::string& word) {
+    const bool is_code = word.size() > 1 && word[0] == '0' && is_digit(word[1]);
+    return !is_code && number_in_column(word);
+  };
+  for (const Attribute& attribute : attributes) {
+    const std::vector<std::string>& words = attribute.words;
+    if (!words.empty() && std::all_of(words.begin(), words.end(), spells_number))
+      warnings.push_back(
+          fmt::format("the attribute '{}' is text wherever it is, as '{}', though it spells "
+                      "numbers: its array numbers the different texts 1, 2, ...",
+                      attribute.name, words.front()));
+  }
 }
 
 }  // namespace cover

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -51,6 +52,8 @@ class AskedNames {
   /// Notes whether a part has one; where none has, all sentences tell.
   void note(const std::string& option, const std::string& name, bool is_there,
             const std::string& missing);
+  /// Takes back what parts had: it is of no use there, as the sentence alone tells.
+  void deny(const std::string& option, const std::string& name, const std::string& missing);
   /// An error where one is missing; none where another file may have it, which is left to whoever
   /// joins it with `input`.
   std::optional<Error> settle(const ReadOptions& options, Input& input) const;
@@ -64,5 +67,16 @@ void tell_renamed(const std::vector<Attribute>& attributes, std::vector<std::str
 
 /// The number that a text spells, as tables have it whose columns are all text.
 std::optional<double> number_in_words(std::string_view text);
+
+/// Up to here doubles hold all whole numbers, as the number of a parcel may be.
+inline constexpr std::int64_t kLargestWhole = std::int64_t{1} << 53;
+
+/// The same of a text in a column that is kept, where long whole numbers are words.
+std::optional<double> number_in_column(std::string_view text);
+
+/// Appends a sentence for each column that is all text but spells numbers, and no codes such as
+/// 007: one who expects the numbers gets those of the texts.
+void tell_spelled_numbers(const std::vector<Attribute>& attributes,
+                          std::vector<std::string>& warnings);
 
 }  // namespace cover

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <cover/cover_mesh.hpp>
 
+#include "base/numbers.hpp"
 #include "io/input/map_words.hpp"
 
 namespace cover {
@@ -160,6 +163,37 @@ TEST(JoinInputs, AttributesStayWithTheirFeatures) {
   ASSERT_TRUE(later);
   EXPECT_EQ(later->polygons[1].feature, 1U);
   EXPECT_EQ(later->attributes[0].values, (Values{1, 2}));
+}
+
+TEST(JoinInputs, TextsThatSpellNumbersAreNumbersAmongNumbers) {
+  Input one = square(0, "a", "x"), other = square(1, "b", "y");
+  one.polygons[0].feature = other.polygons[0].feature = 1;
+  one.attributes = {{"K", true, {"1e-4"}, {1, 0}}};
+  other.attributes = {{"K", false, {}, {1e-5}}};
+  const auto joined = [&] {
+    const Result<Input> both = join_inputs({one, other});
+    return both ? *both : Input();
+  };
+  const Input numbers = joined();
+  ASSERT_EQ(numbers.attributes.size(), 1U);
+  EXPECT_FALSE(numbers.attributes[0].is_text);
+  EXPECT_EQ(numbers.attributes[0].values[0], 1e-4);
+  EXPECT_TRUE(std::isnan(numbers.attributes[0].values[1]));
+  EXPECT_EQ(numbers.attributes[0].values[2], 1e-5);
+  EXPECT_TRUE(numbers.warnings.empty());
+
+  one.attributes[0].words = {"low"};
+  EXPECT_EQ(joined().warnings,
+            std::vector<std::string>{"the attribute 'K' of y has numbers, and that of files before "
+                                     "it words: its array numbers the different values 1, 2, ..."});
+  other.attributes = {{"K", false, {}, {kNoNumber}}};
+  EXPECT_TRUE(joined().warnings.empty()) << "nothing is no number";
+  one.attributes[0].words = {"1e-4"};
+  other.attributes = {{"K", true, {"2"}, {1}}};
+  EXPECT_EQ(joined().warnings,
+            std::vector<std::string>{
+                "the attribute 'K' is text wherever it is, as '1e-4', though it spells numbers: "
+                "its array numbers the different texts 1, 2, ..."});
 }
 
 TEST(JoinInputs, WarningsNameTheirFile) {

@@ -93,6 +93,8 @@ class GeoReader {
     warn_of_capitals();
     if (auto missing = missing_property()) return *std::move(missing);
     input_.attributes = attributes_.attributes();
+    attributes_.tell_mixed(input_.warnings);
+    if (!options_.is_one_of_several) tell_spelled_numbers(input_.attributes, input_.warnings);
     tell_renamed(input_.attributes, input_.warnings);
     return std::move(input_);
   }
@@ -178,7 +180,7 @@ class GeoReader {
       has_made_up_ |= own.name.empty();
       own.material = own.name.empty() ? fmt::format("feature_{}", number) : own.name;
     }
-    own.feature = attributes_.add_feature();
+    own.feature = attributes_.add_feature(number);
     for (std::size_t k = 0; k < attributes_.names().size(); ++k)
       attributes_.set(k, read_attribute(feature, attributes_.names()[k], number));
     return own;
@@ -270,8 +272,14 @@ class GeoReader {
     };
     for (const Meaning* meaning : {&material_, &name_, &priority_})
       if (meaning->is_asked) note(meaning->option, meaning->name, meaning->is_there);
-    for (std::size_t k = 0; k < attributes_.names().size(); ++k)
-      note("keep_field", attributes_.names()[k], !attributes_.is_empty(k));
+    for (std::size_t k = 0; k < attributes_.names().size(); ++k) {
+      const std::string& name = attributes_.names()[k];
+      const std::optional<std::string> beside = attributes_.beside_areas(k, "property");
+      if (beside && name != kFeatureId)
+        asked.note("keep_field", name, false, *beside);
+      else
+        note("keep_field", name, !attributes_.is_empty(k));
+    }
     return asked.settle(options_, input_);
   }
 
@@ -310,6 +318,7 @@ class GeoReader {
   void read_polygon(const Json& coordinates, const Properties& properties) {
     if (json_.failed()) return;
     if (coordinates.is_array() && coordinates.empty()) return;  // the RFC: as null
+    attributes_.add_shape(properties.feature, FeatureShape::area);
     InputPolygon polygon;
     for (const Json& ring : json_.array(coordinates, "rings"))
       polygon.rings.push_back(read_path(ring));
@@ -327,6 +336,7 @@ class GeoReader {
     if (json_.failed()) return;
     if (position.is_array() && position.empty()) return;  // the RFC: as null
     if (properties.size) left_out_.add_size_of_point();
+    attributes_.add_shape(properties.feature, FeatureShape::point);
     if (!properties.name.empty())
       input_.point_names.push_back(
           {static_cast<std::uint32_t>(input_.points.size()), properties.name});
@@ -351,6 +361,7 @@ class GeoReader {
     if (json_.failed()) return;
     if (coordinates.is_array() && coordinates.empty()) return;  // the RFC: as null
     if (properties.size) left_out_.add_size_of_line();
+    attributes_.add_shape(properties.feature, FeatureShape::line);
     InputLine line{properties.name, read_path(coordinates), static_cast<long>(input_.lines.size())};
     if (line.points.size() < 2) json_.fail(coordinates, "a line needs two positions or more");
     input_.lines.push_back(std::move(line));

@@ -63,7 +63,7 @@ TEST(ReadGeojson, WarnsOfPropertiesThatDifferInCapitals) {
   const auto warnings = [](const char* properties, const ReadOptions& options = {}) {
     const Result<Input> input = parse_geojson(
         std::string(R"({"type": "Feature", "properties": )") + properties +
-            R"(, "geometry": {"type": "LineString", "coordinates": [[0, 0], [500, 0]]}})",
+            R"(, "geometry": {"type": "Polygon", "coordinates": [[[0, 0], [500, 0], [0, 9], [0, 0]]]}})",
         "map.geojson", options);
     EXPECT_TRUE(input.has_value()) << input.error().message;
     return input->warnings;
@@ -198,6 +198,38 @@ TEST(ReadGeojson, APropertyWithoutValuesIsNoMisspeltOne) {
             "map.geojson: keep_field: the property 'soil' is null in every feature");
 }
 
+TEST(ReadGeojson, KeptTextsAndPlacesAreTold) {
+  const std::string area =
+      R"("geometry": {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]}})";
+  const std::string map =
+      R"({"type": "FeatureCollection", "crs": null, "features": [
+      {"type": "Feature", "properties": {"K": 1e-4, "use": 3, "por": "0.2", "code": "01"}, )" +
+      area + R"(, {"type": "Feature", "properties": {"K": "1e-5", "use": "wood"}, )" + area +
+      R"(, {"type": "Feature", "properties": {"Q": 2, "K": 7},
+          "geometry": {"type": "Point", "coordinates": [0.5, 0.25]}}]})";
+  const Result<Input> input =
+      parse_geojson(map, "map.geojson", keeping({"K", "use", "por", "code"}));
+  ASSERT_TRUE(input.has_value()) << input.error().message;
+  EXPECT_EQ(input->attributes[0].values, (std::vector<double>{1e-4, 1e-5, 7}));
+  ASSERT_EQ(input->warnings.size(), 2U);
+  EXPECT_NE(input->warnings[0].find("'use' is a number in some features, as 3 in feature 0, and a "
+                                    "word in others, as 'wood' in feature 1"),
+            std::string::npos);
+  EXPECT_NE(input->warnings[1].find("'por' is text wherever it is, as '0.2'"), std::string::npos);
+
+  const Result<Input> of_points = parse_geojson(map, "map.geojson", keeping({"K", "Q"}));
+  ASSERT_FALSE(of_points.has_value());
+  EXPECT_EQ(of_points.error().message,
+            "map.geojson: keep_field: only points have the property 'Q', the first of them feature "
+            "2: an array of a mesh holds what areas have");
+  // Another file may have areas with it.
+  ReadOptions several = keeping({"Q"});
+  several.is_one_of_several = true;
+  const Result<Input> part = parse_geojson(map, "map.geojson", several);
+  ASSERT_TRUE(part.has_value()) << part.error().message;
+  EXPECT_FALSE(part->asked.at(0).is_there);
+}
+
 TEST(ReadGeojson, DegreesAreToldWhereTheFileSaysSo) {
   const auto warnings = [](const std::string& crs) {
     return parse_geojson(R"({"type": "Polygon", )" + crs +
@@ -250,8 +282,8 @@ TEST(ReadGeojson, OneOfSeveralNeedNotHaveWhatIsAsked) {
   options.material_field = "soil";
   options.is_one_of_several = true;
   const Result<Input> input =
-      parse_geojson(R"({"type": "Feature", "properties": {"use": "river"}, "geometry":
-      {"type": "LineString", "coordinates": [[0, 0], [1, 0]]}})",
+      parse_geojson(R"({"type": "Feature", "crs": null, "properties": {"use": "lake"}, "geometry":
+      {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]}})",
                     "map.geojson", options);
   ASSERT_TRUE(input.has_value()) << input.error().message;
   ASSERT_EQ(input->asked.size(), 2U);
