@@ -326,6 +326,11 @@ TEST_F(ReadGdal, KeptAttributesOfPointsAloneAreRefused) {
   options.keep_fields = {"name", "fid"};
   EXPECT_EQ(read(path, options).attributes[0].words.size(), 3U);
   options.layers = {"wells"};
+  options.is_one_of_several = true;
+  const Input wells = read(path, options);
+  ASSERT_EQ(wells.asked.size(), 3U);
+  for (const AskedName& asked : wells.asked) EXPECT_EQ(asked.is_there, asked.name != "name");
+  options.is_one_of_several = false;
   EXPECT_EQ(message(path, options),
             path +
                 ": keep_field: only points have the attribute 'name', the first of them feature "
@@ -354,11 +359,6 @@ TEST_F(ReadGdal, SurfacesInSpaceAreLeftOutUnlessStrict) {
   const Input input = read(path, options);
   ASSERT_EQ(input.changes.size(), 1U);
   EXPECT_EQ(input.changes[0].message, "1 geometry is a surface in space: left out");
-  options.is_one_of_several = true;
-  const Input wells = read(path, options);
-  ASSERT_EQ(wells.asked.size(), 3U);
-  for (const AskedName& asked : wells.asked) EXPECT_EQ(asked.is_there, asked.name != "name");
-  options.is_one_of_several = false;
   Options strict;
   EXPECT_TRUE(cover_mesh(input, strict));
   strict.strict = true;
