@@ -16,7 +16,8 @@ namespace cover {
 /// layer, or file, segments have the name of theirs (but those on layer 0). What a CAD program
 /// would not print is left out: invisible entities, and lines and curves on layers that are off or
 /// frozen, or called Defpoints, unless `options.layers` names the layer. Of lines and curves that
-/// run through space, polylines, too, x and y count.
+/// run through space, polylines, too, x and y count; of polylines with a width, the line in the
+/// middle, which is told. Points are named as their layer (but those on layer 0).
 ///
 /// A curve becomes chords that turn by `options.chord_angle` at most and leave it by no more than
 /// `options.chord_error`, if that is given; arcs of one circle share their points, and their chords

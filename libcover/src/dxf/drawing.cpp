@@ -9,6 +9,7 @@
 #include <exception>
 #include <numbers>
 #include <sstream>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -43,6 +44,8 @@ std::string plain_text(const std::string& text) {
 /// next one begins.
 class Builder : public DL_CreationAdapter {
  public:
+  explicit Builder(const std::vector<bool>& wide) : wide_(wide) {}
+
   DxfDrawing drawing;
 
   void finish() {
@@ -58,9 +61,12 @@ class Builder : public DL_CreationAdapter {
   }
   void endBlock() override { finish(); }
 
+  void addPoint(const DL_PointData& d) override {
+    block().points.push_back({attributes.getLayer(), {d.x, d.y}});
+  }
   void addLine(const DL_LineData& d) override {
     if (d.z1 != d.z2) ++drawing.in_space;
-    add(BulgePolyline{{{{d.x1, d.y1}, 0}, {{d.x2, d.y2}, 0}}, false});
+    add(BulgePolyline{{{{d.x1, d.y1}, 0}, {{d.x2, d.y2}, 0}}});
   }
   void addArc(const DL_ArcData& d) override {
     if (!is_plane()) return;
@@ -99,7 +105,8 @@ class Builder : public DL_CreationAdapter {
     // As those of a line, points of a polyline in space are not turned with its extrusion.
     const bool in_space = (d.flags & kSpace) != 0;
     polyline_side_ = in_space ? 1 : side();
-    polyline_ = BulgePolyline{{}, (d.flags & kClosed) != 0};
+    const std::size_t number = polylines_++;
+    polyline_ = {{}, (d.flags & kClosed) != 0, number < wide_.size() && wide_[number]};
     keep_polyline_ = (d.flags & (kMesh | kPolyface)) == 0;
     if (!keep_polyline_) ++drawing.meshes;
     keep_polyline_ = keep_polyline_ && (in_space || is_plane());
@@ -217,6 +224,8 @@ class Builder : public DL_CreationAdapter {
     [[nodiscard]] bool differ() const { return low < high; }
   };
 
+  const std::vector<bool>& wide_;  ///< by polyline
+  std::size_t polylines_ = 0;
   DxfBlock* block_ = nullptr;  ///< nullptr: the model
   BulgePolyline polyline_;
   std::string polyline_layer_;
@@ -234,7 +243,7 @@ class Builder : public DL_CreationAdapter {
 
 Result<DxfDrawing> build_drawing(const CheckedDxf& checked, const std::string& source) {
   std::istringstream stream(checked.text);
-  Builder builder;
+  Builder builder(checked.wide);
   try {
     DL_Dxf reader;
     if (!reader.in(stream, &builder))

@@ -23,6 +23,7 @@ struct BulgeCorner {
 struct BulgePolyline {
   std::vector<BulgeCorner> corners;
   bool closed = false;
+  bool wide = false;  ///< drawn with a width
 };
 
 /// A piece of a circle, counter-clockwise; degrees, to > from.
@@ -57,6 +58,11 @@ struct DxfCurve {
   std::variant<BulgePolyline, DxfArc, DxfEllipse, DxfSpline> shape;
 };
 
+struct DxfPoint {
+  std::string layer;
+  Point at;
+};
+
 struct DxfText {
   std::string layer;
   Point at;
@@ -81,6 +87,7 @@ struct DxfInsert {
 struct DxfBlock {
   Point base;
   std::vector<DxfCurve> curves;
+  std::vector<DxfPoint> points;
   std::vector<DxfText> texts;
   std::vector<DxfInsert> inserts;
 };

@@ -24,9 +24,9 @@ struct Group {
   int line = 0;  ///< of the value
 };
 
-constexpr std::array<std::string_view, 13> kKinds{
+constexpr std::array<std::string_view, 14> kKinds{
     "LINE",   "ARC",    "CIRCLE", "ELLIPSE", "SPLINE", "LWPOLYLINE", "POLYLINE",
-    "VERTEX", "INSERT", "TEXT",   "MTEXT",   "SEQEND", "BLOCK"};
+    "VERTEX", "INSERT", "POINT",  "TEXT",    "MTEXT",  "SEQEND",     "BLOCK"};
 constexpr std::size_t kMostText = 1000;  // bytes of one group; dxflib cuts lines at 1024
 
 bool is_real(long code) { return (code >= 10 && code <= 59) || (code >= 210 && code <= 239); }
@@ -184,11 +184,23 @@ class Checker {
     // The end of a sequence of attributes is not one of vertices.
     if (kind == "POLYLINE") in_polyline_ = true;
     if (kind == "SEQEND") in_polyline_ = false;
+    note_width(kind, groups);
     put(0, kind);
     put_counts(kind, groups);
     for (const Group& g : groups) put_group(kind, g);
     if (in_polyline_ && !inner && kind != "POLYLINE")
       fail(ErrorCode::syntax, line, "a polyline does not end before the next entity");
+  }
+
+  /// Widths stand with a polyline, for all of it, and with its corners.
+  void note_width(std::string_view kind, const std::vector<Group>& groups) {
+    const bool is_light = kind == "LWPOLYLINE";
+    if (is_light || kind == "POLYLINE") out_.wide.push_back(false);
+    if (!is_light && !in_polyline_) return;
+    for (const Group& g : groups)
+      if ((g.code == 40 || g.code == 41 || (is_light && g.code == 43)) &&
+          parse_double(g.value).value_or(0) > 0)
+        out_.wide.back() = true;
   }
 
   /// What dxflib takes memory for, as it is and not as it is announced.

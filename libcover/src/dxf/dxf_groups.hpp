@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <cover/result.hpp>
 
@@ -22,6 +23,7 @@ struct CheckedDxf {
   std::map<std::string, std::size_t> left_out;  ///< number of entities by their kind
   std::size_t invisible = 0;                    ///< entities that say so: left out
   std::map<std::string, HiddenLayer> hidden;    ///< by names in small letters
+  std::vector<bool> wide;  ///< by polyline of `text`: whether it has a width, which dxflib drops
 };
 
 /// Drops sections, entities and groups that are not read, and makes sure that numbers are finite

@@ -33,9 +33,9 @@ class Placer {
   Placer(const DxfDrawing& drawing, const std::string& source,
          const std::map<std::string, HiddenLayer>& hidden)
       : drawing_(drawing), source_(source), hidden_(hidden) {
-    own_ = drawing.model.curves.size() + drawing.model.texts.size() + drawing.model.inserts.size();
+    own_ = things_in(drawing.model) + drawing.model.inserts.size();
     for (const auto& [name, block] : drawing.blocks)
-      own_ += block.curves.size() + block.texts.size() + block.inserts.size();
+      own_ += things_in(block) + block.inserts.size();
   }
 
   Result<PlacedDrawing> run() {
@@ -55,6 +55,10 @@ class Placer {
       error_ = Error{ErrorCode::unsupported_format, fmt::format("{}: {}", source_, what), {}, {}};
   }
 
+  static std::size_t things_in(const DxfBlock& block) {
+    return block.curves.size() + block.points.size() + block.texts.size();
+  }
+
   const DxfBlock* find(const std::string& name) {
     const auto found = drawing_.blocks.find(name);
     if (found != drawing_.blocks.end()) return &found->second;
@@ -72,7 +76,7 @@ class Placer {
     if (depth > kCellDepth) fail(fmt::format("more than {} blocks, one in the other", kCellDepth));
     if (error_) return 0;
     amounts_[&block] = -1;  // being counted
-    double amount = static_cast<double>(block.curves.size() + block.texts.size());
+    double amount = static_cast<double>(things_in(block));
     for (const DxfInsert& insert : block.inserts) {
       const DxfBlock* inner = find(insert.block);
       const double times = static_cast<double>(insert.columns) * insert.rows;
@@ -100,6 +104,8 @@ class Placer {
     };
     for (const DxfCurve& curve : block.curves)
       out_.curves.push_back({&curve, at, layer_of(curve.layer), seen.frozen});
+    for (const DxfPoint& point : block.points)
+      out_.points.push_back({&point, at, layer_of(point.layer), seen.frozen});
     for (const DxfText& text : block.texts)
       out_.texts.push_back({&text, at, layer_of(text.layer), seen.frozen});
     for (const DxfInsert& insert : block.inserts) {

@@ -22,6 +22,7 @@ struct Placed {
 
 struct PlacedDrawing {
   std::vector<Placed<DxfCurve>> curves;
+  std::vector<Placed<DxfPoint>> points;
   std::vector<Placed<DxfText>> texts;
   std::vector<std::string> missing;  ///< blocks that are inserted and not there
 };

@@ -62,9 +62,11 @@ class DxfConverter {
       add(*curve);
       if (error_) return *std::move(error_);
     }
+    add_points();
     add_texts();
     if (error_) return *std::move(error_);
-    if (input_.segments.empty()) return nothing_drawn();
+    if (input_.segments.empty() && (input_.points.empty() || !options_.is_one_of_several))
+      return nothing_drawn();
     tell_of_layers();
     tell();
     return std::move(input_);
@@ -91,6 +93,9 @@ class DxfConverter {
           fmt::format("{} left out on hidden layers: {}; --layer reads those it names",
                       several(hidden_, "line or curve is", "lines and curves are"),
                       listed(some(hiding_layers_))));
+    if (hidden_points_ > 0)
+      sentences.push_back(several(hidden_points_, "point is", "points are") +
+                          " left out on hidden layers");
     return sentences;
   }
 
@@ -107,23 +112,31 @@ class DxfConverter {
         curves_.push_back(&curve);
       }
     }
+    for (const Placed<DxfPoint>& point : placed_.points) {
+      if (wanted.empty() && !hiding_layer(point).empty())
+        ++hidden_points_;
+      else if (wanted.empty() || wanted.contains(lower(*point.layer)))
+        points_.push_back(&point);
+    }
   }
 
-  /// "Aux (frozen)", the layer that hides a curve; empty: none does. Points that dimensions measure
+  /// "Aux (frozen)", the layer that hides a thing; empty: none does. Points that dimensions measure
   /// from are on a layer that CAD programs never print.
-  [[nodiscard]] std::string hiding_layer(const Placed<DxfCurve>& curve) const {
-    if (curve.frozen != nullptr) return *curve.frozen + " (frozen)";
-    const std::string layer = lower(*curve.layer);
+  template <class Thing>
+  [[nodiscard]] std::string hiding_layer(const Placed<Thing>& thing) const {
+    if (thing.frozen != nullptr) return *thing.frozen + " (frozen)";
+    const std::string layer = lower(*thing.layer);
     const auto found = checked_.hidden.find(layer);
     if (found != checked_.hidden.end())
-      return *curve.layer + (found->second.frozen ? " (frozen)" : " (off)");
-    return layer == "defpoints" ? *curve.layer + " (never printed)" : "";
+      return *thing.layer + (found->second.frozen ? " (frozen)" : " (off)");
+    return layer == "defpoints" ? *thing.layer + " (never printed)" : "";
   }
 
-  /// Those of all lines and curves.
+  /// Those of all lines, curves and points.
   [[nodiscard]] std::set<std::string> layers_drawn() const {
     std::set<std::string> layers;
     for (const Placed<DxfCurve>& curve : placed_.curves) layers.insert(*curve.layer);
+    for (const Placed<DxfPoint>& point : placed_.points) layers.insert(*point.layer);
     return layers;
   }
 
@@ -223,6 +236,7 @@ class DxfConverter {
   }
 
   void add(const Placed<DxfCurve>& curve) {
+    curve_layer_ = curve.layer;
     layer_ = named_ && *curve.layer != "0" ? curve.layer : nullptr;
     std::visit([&](const auto& shape) { add(shape, curve.place); }, curve.thing->shape);
     ++number_;
@@ -251,6 +265,7 @@ class DxfConverter {
   }
 
   void add(const BulgePolyline& line, const Affine& place) {
+    if (line.wide) ++wide_[*curve_layer_];
     const std::size_t n = line.corners.size();
     for (std::size_t k = 0; k + (line.closed ? 0 : 1) < n; ++k) {
       const BulgeCorner& corner = line.corners[k];
@@ -306,6 +321,14 @@ class DxfConverter {
                      {}};
   }
 
+  void too_large(std::string_view what) {
+    error_ = Error{ErrorCode::non_finite_coordinate,
+                   fmt::format("{}: a {} has coordinates that are too large for a double",
+                               input_.source, what),
+                   {},
+                   {}};
+  }
+
   /// Notes an end of a line that is taken for another though it is farther off than rounding takes
   /// it.
   void note_united(Point p) {
@@ -331,15 +354,8 @@ class DxfConverter {
     if (layer_ != nullptr) segment.name = *layer_;
     for (std::size_t k = 0; k + 1 < path->size(); ++k) {
       Point a = (*path)[k], b = (*path)[k + 1];
-      if (!std::isfinite(a.x) || !std::isfinite(a.y) || !std::isfinite(b.x) ||
-          !std::isfinite(b.y)) {
-        error_ = Error{ErrorCode::non_finite_coordinate,
-                       fmt::format("{}: a curve has coordinates that are too large for a double",
-                                   input_.source),
-                       {},
-                       {}};
-        return;
-      }
+      if (!std::isfinite(a.x) || !std::isfinite(a.y) || !std::isfinite(b.x) || !std::isfinite(b.y))
+        return too_large("curve");
       a = ends_.same(a);
       b = ends_.same(b);
       if (a == b) continue;
@@ -357,6 +373,16 @@ class DxfConverter {
     const auto [at, is_new] = indices_.emplace(p, next);
     if (is_new) input_.points.push_back(p);
     return at->second;
+  }
+
+  /// Points are called as their layer; one at an end of a curve is that end.
+  void add_points() {
+    for (const Placed<DxfPoint>* point : points_) {
+      const Point at = ends_.same(point->place(point->thing->at));
+      if (!std::isfinite(at.x) || !std::isfinite(at.y)) return too_large("point");
+      const std::uint32_t index = index_of(at);
+      if (*point->layer != "0") input_.point_names.push_back({index, *point->layer});
+    }
   }
 
   void add_texts() {
@@ -397,6 +423,7 @@ class DxfConverter {
       input_.warnings.push_back(several(count, one, more));
       input_.warnings.back() += what;
     };
+    tell_of_widths();
     warn(fit_splines_, "spline has", "splines have",
          " fit points only: they are joined by straight lines");
     warn(bad_splines_, "spline whose knots do not fit its points is",
@@ -410,12 +437,28 @@ class DxfConverter {
           fmt::format("blocks that are inserted and not there: {}", listed(placed_.missing)));
   }
 
+  /// A width may be that of a trace, or of the pen.
+  void tell_of_widths() {
+    std::size_t count = 0;
+    std::set<std::string> layers;
+    for (const auto& [layer, polylines] : wide_) {
+      count += polylines;
+      layers.insert(fmt::format("{} on '{}'", polylines, layer));
+    }
+    if (count > 0)
+      input_.warnings.push_back(
+          fmt::format("{} a width, {}: what is read is the line in the middle",
+                      several(count, "polyline has", "polylines have"), listed(some(layers))));
+  }
+
   const PlacedDrawing& placed_;
   const CheckedDxf& checked_;
   const ReadOptions& options_;
   std::vector<const Placed<DxfCurve>*> curves_;  ///< those that are read
   std::set<std::string> hiding_layers_;
-  std::size_t hidden_ = 0;  ///< lines and curves on these
+  std::vector<const Placed<DxfPoint>*> points_;  ///< those that are read
+  std::size_t hidden_ = 0, hidden_points_ = 0;   ///< lines and curves on these, and points
+  std::map<std::string, std::size_t> wide_;      ///< number of polylines with a width, by layer
   Input input_;
   CurveCutter cutter_;
   CircleNumbers circles_{input_.circles};
@@ -423,8 +466,9 @@ class DxfConverter {
   CurveEnds ends_{0};
   std::map<Point, std::uint32_t> indices_;
   bool named_ = false;
-  const std::string* layer_ = nullptr;  ///< of the curve that is added; nullptr: no name
-  long number_ = 0;                     ///< of the curve
+  const std::string* curve_layer_ = nullptr;  ///< of the curve that is added
+  const std::string* layer_ = nullptr;        ///< its name; nullptr: none
+  long number_ = 0;                           ///< of the curve
   std::size_t bad_splines_ = 0, fit_splines_ = 0, other_texts_ = 0;
   std::set<Point> united_;  ///< ends that were moved
   std::optional<Error> error_;

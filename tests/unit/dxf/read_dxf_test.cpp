@@ -404,10 +404,10 @@ TEST(ReadDxf, UnitsAndWhatIsLeftOutAreTold) {
       .circle("0", 0, 0, 1)
       .circle("0", 9, 0, -1)
       .entity("HATCH", "0", {{91, 1000000000}})
-      .entity("POINT", "0", {{10, 0}});
+      .entity("SOLID", "0", {{10, 0}});
   const Input input = read(d.finish());
   ASSERT_EQ(input.warnings.size(), 3U);
-  EXPECT_EQ(input.warnings[0], "entities that are not read: 1 HATCH, 1 POINT");
+  EXPECT_EQ(input.warnings[0], "entities that are not read: 1 HATCH, 1 SOLID");
   EXPECT_EQ(input.warnings[1], "1 circle or arc whose radius is not positive: left out");
   EXPECT_NE(input.warnings[2].find("inches"), std::string::npos);
   ReadOptions options;
@@ -430,6 +430,52 @@ void add_frame(DxfWriter& d) {
   d.entity(
       "LWPOLYLINE", "Frame",
       {{90, 4}, {70, 1}, {10, 0}, {20, 0}, {10, 9}, {20, 0}, {10, 9}, {20, 9}, {10, 0}, {20, 9}});
+}
+
+TEST(ReadDxf, PointsAreNamedByTheirLayer) {
+  DxfWriter d = frame_beside_layer("Off", 0, -7);
+  d.begin_blocks().begin_block("B").entity("POINT", "wells", {{10, 1}, {20, 1}});
+  d.entity("POINT", "0", {{10, 0}, {20, 1}}).end_block().end_section().begin_entities();
+  add_frame(d);
+  d.entity("POINT", "wells", {{10, 3}, {20, 4}}).entity("POINT", "0", {{10, 5}, {20, 5}});
+  d.entity("POINT", "corner", {{10, 9}, {20, 9 + 1e-15}}).entity("POINT", "Off", {{10, 1}});
+  d.insert("B", "inner", {{10, 5}, {20, 5}, {41, 2}});
+  const std::string text = d.finish();
+  const Input input = read(text);
+  EXPECT_EQ(input.points.size(), 8U) << "four corners, three wells and inner";
+  std::vector<std::pair<std::string, Point>> names;
+  for (const PointName& name : input.point_names)
+    names.emplace_back(name.name, input.points[name.point]);
+  EXPECT_EQ(names,
+            (std::vector<std::pair<std::string, Point>>{
+                {"wells", {3, 4}}, {"corner", {9, 9}}, {"wells", {7, 6}}, {"inner", {5, 6}}}));
+  EXPECT_TRUE(input.segments[0].name.empty()) << "points are no second layer of segments";
+  EXPECT_EQ(input.warnings, std::vector<std::string>{"1 point is left out on hidden layers"});
+  EXPECT_EQ(area_of(input), 81);
+
+  ReadOptions options;
+  options.layers = {"wells", "frame"};
+  EXPECT_EQ(read(text, options).points.size(), 6U);
+  options.layers = {"wells"};
+  EXPECT_NE(message(text, options).find("no line or curve in it on the layers"), std::string::npos);
+  options.is_one_of_several = true;
+  EXPECT_EQ(read(text, options).points.size(), 2U);
+}
+
+TEST(ReadDxf, WidthsOfPolylinesAreTold) {
+  DxfWriter d;
+  d.begin_entities();
+  add_frame(d);
+  d.entity("LWPOLYLINE", "Top", {{90, 2}, {43, 2}, {10, 1}, {20, 1}, {10, 5}, {20, 1}});
+  d.entity("LWPOLYLINE", "Top", {{90, 2}, {10, 1}, {20, 2}, {40, 0.5}, {41, 1}, {10, 5}, {20, 2}});
+  d.entity("LWPOLYLINE", "Top", {{90, 2}, {43, 0}, {10, 1}, {20, 4}, {10, 5}, {20, 4}});
+  d.entity("POLYLINE", "Old", {{66, 1}});
+  d.entity("VERTEX", "Old", {{10, 1}, {20, 3}, {40, 0.25}, {41, 0.25}});
+  d.entity("VERTEX", "Old", {{10, 2}, {20, 3}}).group(0, "SEQEND");
+  d.circle("Frame", 7, 7, 1);
+  EXPECT_EQ(read(d.finish()).warnings,
+            std::vector<std::string>{"3 polylines have a width, 1 on 'Old', 2 on 'Top': what is "
+                                     "read is the line in the middle"});
 }
 
 TEST(ReadDxf, LayersThatAreOffOrFrozenAreLeftOut) {
