@@ -77,6 +77,20 @@ class Layouts(Case):
         error = self.run_cover('info', 'a.geojson', '--chord-angle', '10')[1]
         self.assertIn('--chord-angle does nothing: it counts with drawings, layouts and maps with curves only', error)
 
+    def test_options_that_count_for_one_of_several_files_do_something(self):
+        self.write('a.geojson', '{"type": "Feature", "crs": null, "properties": {}, "geometry": {"type": "Polygon", "coordinates": '
+                                '[[[0, 0], [1, 0], [0, 1], [0, 0]]]}}')
+        self.write('b.json', '{"polygons": [{"material": "Si", "rings": [[[0, 0], [-1, 0], [0, -1]]]}]}')
+        self.write('c.poly', SQUARE)
+        for files in ('a.geojson', 'b.json'), ('a.geojson', 'c.poly'), ('c.poly', 'a.geojson'):
+            told = self.run_cover('info', *files, '--keep-field', 'fid', '--name-field', 'x', code=2)[1]
+            self.assertIn("--name-field: a.geojson: no feature has the property 'x'", told)
+            self.assertNotIn('does nothing', self.run_cover('info', *files, '--keep-field', 'fid')[1])
+        told = self.run_cover('info', 'a.geojson', 'c.poly', '--keep-field', 'fid', '--cell', 'TOP')[1]
+        self.assertNotIn('--keep-field', told)
+        self.assertIn('--cell does nothing: it counts with layouts only', told)
+        self.assertIn('--keep-field: b.json: it is no map', self.run_cover('info', 'b.json', 'c.poly', '--keep-field', 'x', code=2)[1])
+
     def test_formats_of_an_unknown_file_are_all_told(self):
         error = self.run_cover('info', self.write('a.xyz', 'x'), code=5)[1]
         known = error.partition('known: ')[2]

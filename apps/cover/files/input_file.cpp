@@ -151,7 +151,11 @@ Result<Input> GeometryFile::read_all(unsigned threads, const ReadElsewhere& read
       if (!status) return status.error();
     }
   }
-  if (paths_.size() == 1) return read_one(paths_.front());
+  if (paths_.size() == 1) {
+    Result<Input> input = read_one(paths_.front());
+    formats_ = {options_.format};
+    return input;
+  }
   Result<std::vector<Input>> inputs = read_several(read_elsewhere);
   if (!inputs) return inputs.error();
   return join_inputs(*std::move(inputs));
@@ -163,12 +167,17 @@ Result<std::vector<Input>> GeometryFile::read_several(const ReadElsewhere& read_
     options_.format = format;  // each file has its own unless one was given
     return read_one(path);
   };
-  if (read_elsewhere && std::none_of(paths_.begin(), paths_.end(), is_stream))
+  formats_.clear();
+  if (read_elsewhere && std::none_of(paths_.begin(), paths_.end(), is_stream)) {
+    for (const std::string& path : paths_)
+      formats_.push_back(format.empty() ? extension_of(path) : format);
     return read_elsewhere({paths_, options_}, read_here);
+  }
   std::vector<Input> inputs;
   for (const std::string& path : paths_) {
     Result<Input> input = read_here(path);
     if (!input) return input.error();
+    formats_.push_back(options_.format);
     inputs.push_back(*std::move(input));
   }
   return inputs;
@@ -184,11 +193,18 @@ Result<Input> GeometryFile::read_one(const std::string& path) {
   return reading::read_geometry(path, options_, stop_);
 }
 
+bool GeometryFile::counts(const ReadOptionEntry& entry) const {
+  return std::any_of(formats_.begin(), formats_.end(), [&](const std::string& format) {
+    ReadOptions options = options_;
+    options.format = format;
+    return entry.counts(options);
+  });
+}
+
 std::vector<std::string> GeometryFile::ignored() const {
   std::vector<std::string> sentences;
   for (const auto& written : written_) {
-    if (written.option->count() == 0 || written.entry->counts == nullptr ||
-        written.entry->counts(options_))
+    if (written.option->count() == 0 || written.entry->counts == nullptr || counts(*written.entry))
       continue;
     sentences.push_back(does_nothing(*written.entry));
   }
@@ -200,9 +216,8 @@ std::vector<std::string> GeometryFile::other_readings() const {
   std::vector<std::string> names;
   for (const auto& written : written_) {
     const ReadOptionEntry& entry = *written.entry;
-    const bool counts =
-        entry.name == "scale" || (entry.counts != nullptr && entry.counts(options_));
-    if (counts && written.option->count() == 0 &&
+    const bool may_change = entry.name == "scale" || (entry.counts != nullptr && counts(entry));
+    if (may_change && written.option->count() == 0 &&
         std::find(kOfNames.begin(), kOfNames.end(), entry.name) == kOfNames.end())
       names.push_back(fmt::format("--{}", entry.name));
   }

@@ -59,9 +59,12 @@ class GeometryFile {
   Result<Input> read_all(unsigned threads, const ReadElsewhere& read_elsewhere);
   [[nodiscard]] Result<std::vector<Input>> read_several(const ReadElsewhere& read_elsewhere);
   Result<Input> read_one(const std::string& path);
+  /// Whether an option does something with any of the files.
+  [[nodiscard]] bool counts(const ReadOptionEntry& entry) const;
 
   std::vector<std::string> paths_;
   ReadOptions options_;
+  std::vector<std::string> formats_;  ///< of the files that were read
   std::stop_token stop_;
   std::deque<WrittenOption<ReadOptions>> written_;  ///< which CLI11 points into
 };

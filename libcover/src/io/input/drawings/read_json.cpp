@@ -521,16 +521,22 @@ class InputReader {
   CircleNumbers circles_{input_.circles};
 };
 
-/// What counts with maps alone does nothing here, which is told.
+/// What counts with maps alone does nothing here, which is told; of several files one may be a map.
 void warn_of_options(const ReadOptions& o, Input& input) {
-  const auto tell = [&](bool is_given, std::string_view name) {
-    if (is_given)
-      input.warnings.push_back(fmt::format("--{} does nothing: it counts with maps only", name));
+  const auto tell = [&](const std::string& name, std::string option) {
+    if (name.empty()) return;
+    if (o.is_one_of_several)
+      return input.asked.push_back({std::move(option), name, false, "it is no map"});
+    std::replace(option.begin(), option.end(), '_', '-');
+    input.warnings.push_back(fmt::format("--{} does nothing: it counts with maps only", option));
   };
-  tell(!o.material_field.empty(), "material-field");
-  tell(!o.name_field.empty(), "name-field");
-  tell(!o.priority_field.empty(), "priority-field");
-  tell(!o.keep_fields.empty(), "keep-field");
+  tell(o.material_field, "material_field");
+  tell(o.name_field, "name_field");
+  tell(o.priority_field, "priority_field");
+  if (o.is_one_of_several)
+    for (const std::string& name : o.keep_fields) tell(name, "keep_field");
+  else if (!o.keep_fields.empty())
+    tell(o.keep_fields.front(), "keep_field");
 }
 
 /// Points, segments and polygons without curves, one tree at a time or none at all; nothing where
