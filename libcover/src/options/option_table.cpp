@@ -205,7 +205,7 @@ constexpr OptionEntry kTable[] = {
         .group = OptionGroup::cleaning}),
     flag<&Options::merge_materials>({
         .name = "merge-materials",
-        .help = "Unite touching faces of equal material",
+        .help = "Unite touching faces of equal material; borders with a name stay",
         .group = OptionGroup::cleaning}),
     requirements({
         .name = "require", .placeholder = "WHAT",

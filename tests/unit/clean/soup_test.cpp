@@ -642,6 +642,26 @@ TEST(Soup, MergesFacesOfEqualMaterialInAPslg) {
   EXPECT_NEAR(out->area("Si") + out->area("core"), 1, 1e-12);
 }
 
+TEST(Soup, NamedBordersThatAreNotMergedAreTold) {
+  Input input = testing::checker(3, 1, 4);
+  for (RegionSeed& s : input.seeds) s.material = "Si";
+  for (InputSegment& s : input.segments) {
+    const Point a = input.points[s.a], b = input.points[s.b];
+    if (a.x == b.x && a.x > 0.2 && a.x < 0.5) s.name = "border";
+  }
+  Options merge;
+  merge.merge_materials = true;
+  const auto out = clean(input, merge);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->table.regions.size(), 2U);
+  EXPECT_TRUE(
+      out->tells("3 segments have one material on both sides and stay for the name, so "
+                 "regions are not merged there: the first, 'border', is from ("));
+  EXPECT_FALSE(clean(input)->tells("stay for the name"));
+  for (InputSegment& s : input.segments) s.name = "";
+  EXPECT_FALSE(clean(input, merge)->tells("stay for the name"));
+}
+
 /// A frame of two polygons around a gap, the right one cut in two by a line.
 Input frame_and_line() {
   Input input;

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <cover/text.hpp>
@@ -50,6 +51,31 @@ std::vector<std::uint32_t> seeds_by_face(const Faces& faces, const SeededFaces& 
   return out;
 }
 
+/// Tells of named segments that alone keep faces apart, as borders between layers of a drawing.
+template <class AreApart>
+void tell_of_names(const Pslg& pslg, const Faces& faces, AreApart are_apart, Report& report) {
+  std::size_t count = 0;
+  std::optional<std::size_t> first;
+  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+    const auto [left, right] = faces.of_segment[s];
+    if (pslg.segments[s].name == 0 || !are_apart(left, right)) continue;
+    if (!first) first = s;
+    ++count;
+  }
+  if (!first) return;
+  const Segment& segment = pslg.segments[*first];
+  const Point a = pslg.points[segment.a.index()], b = pslg.points[segment.b.index()];
+  report.notes.push_back(
+      {Note::Kind::warning,
+       kVoid,
+       fmt::format("{} one material on both sides and {} for the name, so regions are not merged "
+                   "there: the first, '{}', is from {} to {}",
+                   counted(count, "segment") + (count == 1 ? " has" : " have"),
+                   count == 1 ? "stays" : "stay", pslg.names[segment.name], describe(a),
+                   describe(b)),
+       {a, b}});
+}
+
 }  // namespace
 
 Result<Pslg> merge_materials(Pslg pslg, Report& report) {
@@ -86,6 +112,12 @@ Result<Pslg> merge_materials(Pslg pslg, Report& report) {
          {a, b},
          {{InputKind::segment, segment.id}}});
   }
+  tell_of_names(
+      pslg, faces,
+      [&](std::uint32_t left, std::uint32_t right) {
+        return same_material(seed[left], seed[right]) && united.find(left) != united.find(right);
+      },
+      report);
   std::vector<Segment> segments;
   pslg.side_seeds.clear();
   for (const std::size_t s : kept) {

@@ -10,7 +10,8 @@
 namespace cover {
 
 /// Leaves out the segments without a name that have the same material on both sides, so that the
-/// faces beside them become one region.
+/// faces beside them become one region. Those with one, as borders between layers of a drawing are,
+/// stay, which is told.
 ///
 /// Errors: those of apply_seeds.
 /// Cost:   O(n log n).
