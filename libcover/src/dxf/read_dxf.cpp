@@ -24,6 +24,7 @@
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 #include "io/input/drawings/curves.hpp"
+#include "io/input/map_words.hpp"
 #include "io/text/text.hpp"
 
 namespace cover {
@@ -386,8 +387,9 @@ class DxfConverter {
   }
 
   void add_texts() {
-    input_.seeds_may_miss = !options_.label_layer.empty();
+    std::set<std::string> layers;
     for (const Placed<DxfText>& text : placed_.texts) {
+      layers.insert(*text.layer);
       if (options_.label_layer.empty() || lower(*text.layer) != lower(options_.label_layer)) {
         ++other_texts_;
         continue;
@@ -408,12 +410,13 @@ class DxfConverter {
       seed.label_layer = *text.layer;
       if (!seed.material.empty() || !seed.region.empty()) input_.seeds.push_back(std::move(seed));
     }
-    if (options_.label_layer.empty() || !input_.seeds.empty() || !input_.holes.empty()) return;
-    error_ =
-        Error{ErrorCode::bad_option,
-              fmt::format("{}: no text is on the layer '{}'", input_.source, options_.label_layer),
-              {},
-              {}};
+    if (options_.label_layer.empty()) return;
+    const bool is_there = !input_.seeds.empty() || !input_.holes.empty();
+    AskedNames asked;
+    asked.note("label_layer", options_.label_layer, is_there,
+               no_text_on(options_.label_layer, {layers.begin(), layers.end()}));
+    input_.seeds_may_miss = is_there;
+    error_ = asked.settle(options_, input_);
   }
 
   void tell() {

@@ -50,8 +50,9 @@ std::string name_of_text(std::string_view words, const std::string& layer, Point
 }
 
 std::string name_of_seed(const RegionSeed& s) {
+  // A label of a layout is the region alone.
   std::string words = s.material;
-  if (!s.region.empty()) words += "/" + s.region;
+  if (!s.region.empty()) words += (words.empty() ? "" : "/") + s.region;
   if (!s.label_layer.empty()) return name_of_text(words, s.label_layer, s.at);
   if (!words.empty()) words = " '" + words + "'";
   return fmt::format("region seed {}{} at {}{}", s.id, words, describe(s.at), line_suffix(s.line));

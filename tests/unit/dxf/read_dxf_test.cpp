@@ -333,7 +333,12 @@ TEST(ReadDxf, TextsOfTheLabelLayerNameRegions) {
   options.label_layer = "Labels";
   EXPECT_EQ(read(d.finish(), options).seeds.size(), 2U);
   options.label_layer = "label";
-  EXPECT_EQ(message(d.finish(), options), "a.dxf: no text is on the layer 'label'");
+  EXPECT_EQ(message(d.finish(), options),
+            "a.dxf: label_layer: no text is on the layer 'label'; texts are on labels, notes");
+  options.is_one_of_several = true;  // others may have it
+  const Input part = read(d.finish(), options);
+  ASSERT_EQ(part.asked.size(), 1U);
+  EXPECT_FALSE(part.asked[0].is_there);
 }
 
 TEST(ReadDxf, ALabelInAnOpenOutlineIsToldWithWhatClosesIt) {

@@ -69,6 +69,17 @@ std::optional<Error> AskedNames::settle(const ReadOptions& options, Input& input
   return bad_option(fmt::format("{}: {}: {}", input.source, missing->option, missing->missing));
 }
 
+std::string no_text_on(std::string_view layer, std::vector<std::string> layers) {
+  constexpr std::size_t kMostNamed = 12;
+  if (layers.size() > kMostNamed) {
+    layers.resize(kMostNamed);
+    layers.emplace_back("...");
+  }
+  return fmt::format(
+      "no text is on the layer '{}'{}", legible(layer),
+      layers.empty() ? ": there are no texts in it" : "; texts are on " + listed(layers));
+}
+
 void tell_renamed(const std::vector<Attribute>& attributes, std::vector<std::string>& warnings) {
   std::vector<std::string> names;
   for (const Attribute& attribute : attributes) names.push_back(attribute.name);

@@ -62,6 +62,10 @@ class AskedNames {
   std::vector<AskedName> names_;
 };
 
+/// What is missing where no text is on a layer that should hold labels, with `layers` that have
+/// texts, in order.
+std::string no_text_on(std::string_view layer, std::vector<std::string> layers);
+
 /// Appends a sentence where the array of an attribute cannot be called as the attribute.
 void tell_renamed(const std::vector<Attribute>& attributes, std::vector<std::string>& warnings);
 

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -16,6 +19,7 @@
 #include "geom/turn.hpp"
 #include "geom/vector.hpp"
 #include "io/input/drawings/curves.hpp"
+#include "io/input/map_words.hpp"
 #include "io/layout/path_outline.hpp"
 #include "io/layout/window.hpp"
 #include "io/text/limits.hpp"
@@ -267,9 +271,22 @@ class Flattener {
 
   void set_label_layer() {
     label_ = parse_layer_pattern(options_.label_layer);
-    if (!label_)
-      fail(ErrorCode::bad_option,
-           fmt::format("label_layer: '{}' is not a layer, as 68 or 68/5", options_.label_layer));
+    if (!label_ && !options_.is_one_of_several)
+      return fail(
+          ErrorCode::bad_option,
+          fmt::format("label_layer: '{}' is not a layer, as 68 or 68/5", options_.label_layer));
+    std::set<std::pair<std::int16_t, std::int16_t>> layers;
+    for (const GdsCell& cell : library_.cells)
+      for (const GdsText& text : cell.texts) {
+        layers.emplace(text.layer.layer, text.layer.type);
+        has_labels_ |= label_ && label_->matches(text.layer);
+      }
+    std::vector<std::string> names;
+    for (const auto& [layer, type] : layers) names.push_back(fmt::format("{}/{}", layer, type));
+    AskedNames asked;
+    asked.note("label_layer", options_.label_layer, has_labels_,
+               no_text_on(options_.label_layer, std::move(names)));
+    error_ = asked.settle(options_, input_);
   }
 
   /// The window in units of the database.
@@ -392,7 +409,6 @@ class Flattener {
 
   void draw(const GdsText& text, const Placement& place) {
     if (!label_ || !label_->matches(text.layer) || text.text.empty()) return;
-    has_labels_ = true;
     const Point at = in_user_unit(place(point_of(text.at)));
     if (options_.window) {
       const auto& [low, high] = *options_.window;
@@ -418,9 +434,9 @@ class Flattener {
       for (const std::string& choice : layers_.choices_of_nothing())
         input_.warnings.push_back(fmt::format("no shape is on the layer '{}'", legible(choice)));
     }
-    if (label_ && !has_labels_)
+    if (has_labels_ && input_.seeds.empty())
       input_.warnings.push_back(
-          fmt::format("no text is on the layer '{}': no region has a name of it",
+          fmt::format("no text on the layer '{}' is in what is drawn: no region has a name of it",
                       legible(options_.label_layer)));
     if (options_.layer_map.empty()) return;
     if (const std::string names = names_of(layers_.not_in_map()); !names.empty())
@@ -457,7 +473,7 @@ class Flattener {
   std::vector<Total> totals_;  ///< by cell
   std::optional<Box> window_;  ///< in units of the database
   std::optional<LayerPattern> label_;
-  bool has_labels_ = false;
+  bool has_labels_ = false;           ///< in any cell
   double per_unit_ = 0;  ///< database units in one of the user, where that is a whole number
   std::size_t most_shapes_ = kLayoutShapes;  ///< and what the file has itself
   std::size_t most_points_ = kLayoutPoints;

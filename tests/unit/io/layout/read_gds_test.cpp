@@ -203,6 +203,27 @@ TEST(ReadGds, TextsNameRegions) {
     names.insert(region.name);
   }
   EXPECT_EQ(names.count("source"), 1U);
+
+  options.label_layer = "3/5";
+  EXPECT_EQ(message(file.bytes(), options),
+            "a.gds: label_layer: no text is on the layer '3/5'; texts are on 1/5, 2/5");
+  options.label_layer = "names";
+  EXPECT_NE(message(file.bytes(), options).find("'names' is not a layer"), std::string::npos);
+  options.is_one_of_several = true;  // it is a layer of a drawing
+  const Input part = read(file.bytes(), options);
+  ASSERT_EQ(part.asked.size(), 1U);
+  EXPECT_FALSE(part.asked[0].is_there);
+}
+
+TEST(ReadGds, LabelsOnSegmentsAreCalledAsTheyAreWritten) {
+  GdsWriter file;
+  file.begin("top").box(1, 0, 0, 0, 10, 10).label(63, 5, 0, 5, "onedge").end();
+  ReadOptions options;
+  options.label_layer = "63/5";
+  const auto out = testing::clean(read(file.finish(), options));
+  ASSERT_FALSE(out);
+  EXPECT_EQ(out.error().message.find("a.gds: the text 'onedge' of layer 63/5 at (0, "), 0U)
+      << out.error().message;
 }
 
 TEST(ReadGds, ATopCellIsChosen) {
