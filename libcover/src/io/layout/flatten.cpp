@@ -412,7 +412,12 @@ class Flattener {
     const Point at = in_user_unit(place(point_of(text.at)));
     if (options_.window) {
       const auto& [low, high] = *options_.window;
-      if (!(low.x < at.x && at.x < high.x && low.y < at.y && at.y < high.y)) return;
+      if (!(low.x <= at.x && at.x <= high.x && low.y <= at.y && at.y <= high.y)) return;
+      if (!(low.x < at.x && at.x < high.x && low.y < at.y && at.y < high.y)) {
+        if (labels_on_border_++ == 0)
+          first_on_border_ = fmt::format("'{}' at {}", text.text, describe(at));
+        return;
+      }
     }
     RegionSeed seed;
     seed.at = at;
@@ -434,7 +439,12 @@ class Flattener {
       for (const std::string& choice : layers_.choices_of_nothing())
         input_.warnings.push_back(fmt::format("no shape is on the layer '{}'", legible(choice)));
     }
-    if (has_labels_ && input_.seeds.empty())
+    if (labels_on_border_ > 0)
+      input_.warnings.push_back(fmt::format(
+          "{} on the border of the window, where faces end, and left out: {}{}",
+          counted(labels_on_border_, "label") + (labels_on_border_ == 1 ? " is" : " are"),
+          labels_on_border_ == 1 ? "" : "the first is ", first_on_border_));
+    if (has_labels_ && input_.seeds.empty() && labels_on_border_ == 0)
       input_.warnings.push_back(
           fmt::format("no text on the layer '{}' is in what is drawn: no region has a name of it",
                       legible(options_.label_layer)));
@@ -474,6 +484,8 @@ class Flattener {
   std::optional<Box> window_;  ///< in units of the database
   std::optional<LayerPattern> label_;
   bool has_labels_ = false;           ///< in any cell
+  std::size_t labels_on_border_ = 0;  ///< of the window
+  std::string first_on_border_;
   double per_unit_ = 0;  ///< database units in one of the user, where that is a whole number
   std::size_t most_shapes_ = kLayoutShapes;  ///< and what the file has itself
   std::size_t most_points_ = kLayoutPoints;

@@ -215,6 +215,26 @@ TEST(ReadGds, TextsNameRegions) {
   EXPECT_FALSE(part.asked[0].is_there);
 }
 
+TEST(ReadGds, LabelsOnTheBorderOfAWindowAreTold) {
+  GdsWriter file;
+  file.begin("top").box(1, 0, 0, 0, 10, 10);
+  file.label(1, 5, 5, 5, "edge").label(1, 5, 5, 10, "corner").label(1, 5, 7, 7, "in");
+  file.label(1, 5, 2, 7, "out").label(1, 5, 5, 12, "above").end();
+  ReadOptions options;
+  options.label_layer = "1/5";
+  options.window = Window{{0.005, 0.005}, {0.01, 0.01}};
+  const Input input = read(file.finish(), options);
+  ASSERT_EQ(input.seeds.size(), 1U);
+  EXPECT_EQ(input.seeds[0].region, "in");
+  EXPECT_EQ(input.warnings,
+            std::vector<std::string>{"2 labels are on the border of the window, where faces end, "
+                                     "and left out: the first is 'edge' at (0.005, 0.005)"});
+  options.window = Window{{0.003, 0.001}, {0.004, 0.002}};
+  EXPECT_EQ(read(file.bytes(), options).warnings,
+            std::vector<std::string>{"no text on the layer '1/5' is in what is drawn: no region "
+                                     "has a name of it"});
+}
+
 TEST(ReadGds, LabelsOnSegmentsAreCalledAsTheyAreWritten) {
   GdsWriter file;
   file.begin("top").box(1, 0, 0, 0, 10, 10).label(63, 5, 0, 5, "onedge").end();
