@@ -191,10 +191,15 @@ class TableMaker {
     for (const VertexId v : table_.void_points)
       if (!is_end[v.index()]) where.push_back(pslg_.points[v.index()]);
     if (where.empty()) return;
+    const auto name = std::find_if(
+        pslg_.named_points.begin(), pslg_.named_points.end(),
+        [&](const NamedPoint& p) { return pslg_.points[p.vertex.index()] == where[0]; });
     std::string message =
-        fmt::format("{} in the void and {} left out, the first at {}",
+        fmt::format("{} in the void and {} left out, the first{} at {}",
                     counted(where.size(), "point") + (where.size() == 1 ? " lies" : " lie"),
-                    where.size() == 1 ? "is" : "are", describe(where.front()));
+                    where.size() == 1 ? "is" : "are",
+                    name == pslg_.named_points.end() ? "" : fmt::format(", '{}',", name->name),
+                    describe(where.front()));
     notes.push_back({Note::Kind::warning, kVoid, std::move(message), std::move(where)});
   }
 

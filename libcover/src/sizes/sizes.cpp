@@ -66,6 +66,21 @@ Result<SizeFunction> function_of(const std::string& expression, std::optional<do
   });
 }
 
+bool is_in_void(const RegionTable& table, VertexId v) {
+  return std::find(table.void_points.begin(), table.void_points.end(), v) !=
+         table.void_points.end();
+}
+
+/// Why no size can be asked for at points of that name that lie in the void; empty: none do.
+std::string points_in_void(const Pslg& pslg, const RegionTable& table, const std::string& name) {
+  const auto point = std::find_if(
+      pslg.named_points.begin(), pslg.named_points.end(),
+      [&](const NamedPoint& p) { return p.name == name && is_in_void(table, p.vertex); });
+  if (point == pslg.named_points.end()) return "";
+  return fmt::format("the point of that name lies in the void, at {}",
+                     describe(pslg.points[point->vertex.index()]));
+}
+
 /// Sets the sizes at PSLG points: at all that have the name, else at the point of that number, else
 /// along a boundary marker. False if there is none.
 bool at_points(const SizeRule& rule, const Pslg& pslg, const RegionTable& table,
@@ -74,7 +89,7 @@ bool at_points(const SizeRule& rule, const Pslg& pslg, const RegionTable& table,
                                    [&](const Interface& line) { return line.name == rule.name; });
   bool is_point = false;
   for (const NamedPoint& point : pslg.named_points) {
-    if (point.name != rule.name) continue;
+    if (point.name != rule.name || is_in_void(table, point.vertex)) continue;
     make_smaller(size_at[point.vertex.index()], rule.size);
     is_point = true;
   }
@@ -103,7 +118,8 @@ Error unknown_name(const SizeRule& rule, const Pslg& pslg, const RegionTable& ta
     return error;
   }
   for (const NamedPoint& point : pslg.named_points) names.push_back(point.name);
-  const std::string in_void = line_in_void(pslg, rule.name);
+  std::string in_void = line_in_void(pslg, rule.name);
+  if (in_void.empty()) in_void = points_in_void(pslg, table, rule.name);
   return {
       ErrorCode::bad_option,
       fmt::format("size for '{}': {}", rule.name,

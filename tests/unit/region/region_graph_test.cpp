@@ -107,6 +107,9 @@ TEST(BuildRegionTable, HolesAndOutsideAreVoid) {
   EXPECT_EQ(found->table.void_points[1], VertexId{14});
   EXPECT_EQ(found->notes.back().message,
             "2 points lie in the void and are left out, the first at (1.5, 5)");
+  input.point_names = {{13, "in"}, {14, "far"}, {12, "W out"}};
+  EXPECT_EQ(find(input)->notes.back().message,
+            "2 points lie in the void and are left out, the first, 'W out', at (1.5, 5)");
   ASSERT_EQ(found->table.isolated_points.size(), 1U);
   EXPECT_EQ(found->table.isolated_points[0].vertex, VertexId{13});
   EXPECT_EQ(found->table.isolated_points[0].region, RegionId{2});

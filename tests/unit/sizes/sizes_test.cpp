@@ -343,6 +343,22 @@ TEST(Sizes, AtPointsOfAName) {
   EXPECT_NE(refused.error().message.find("did you mean 'well'?"), std::string::npos);
 }
 
+TEST(Sizes, AtPointsInTheVoidAreRefused) {
+  Input input = two_rectangles();
+  input.points.push_back({0.5, 0.5});
+  input.points.push_back({9, 0.5});
+  input.point_names = {{6, "well"}, {7, "well"}, {7, "W out"}};
+  const Regions regions = regions_of(input);
+  EXPECT_EQ(points_sized_by(regions, "well"), (std::vector<Point>{{0.5, 0.5}}));
+  auto boundaries = split_regions(regions.pslg, regions.table);
+  Options options;
+  options.sizes = {{"W out", 0.125, true}};
+  const Status refused = resolve_sizes(regions.pslg, regions.table, options, boundaries);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message,
+            "size for 'W out': the point of that name lies in the void, at (9, 0.5)");
+}
+
 TEST(Sizes, LongSegmentsAreWarnedOfOnce) {
   const Regions regions = regions_of(two_rectangles());
   auto boundaries = split_regions(regions.pslg, regions.table);
