@@ -195,7 +195,7 @@ Result<SeededFaces> apply_seeds(const Pslg& pslg, const Faces& faces, std::vecto
   return out;
 }
 
-void warn_of_missed_faces(std::vector<std::uint32_t> missed, bool are_void,
+void warn_of_missed_faces(std::vector<std::uint32_t> missed, MissedFaces kind,
                           const std::vector<FaceMeasure>& measures, std::vector<Note>& notes) {
   std::erase_if(missed, [&](std::uint32_t f) { return !measures[f].inside; });
   if (missed.empty()) return;
@@ -209,12 +209,14 @@ void warn_of_missed_faces(std::vector<std::uint32_t> missed, bool are_void,
   const std::string faces = counted(missed.size(), "closed face") + (is_one ? " has" : " have");
   const std::string place = (is_one ? "at " : "the largest at ") + describe(where.front());
   std::string message =
-      are_void ? fmt::format(
-                     "{} neither a region nor a hole given inside, {}: left void; a region "
-                     "meshes it, a hole says that it is meant",
-                     faces, place)
-               : fmt::format("{} no label inside, {} with an area of {:.6g}: {} 'unnamed'", faces,
-                             place, measures[missed.front()].area, is_one ? "it is" : "they are");
+      kind == MissedFaces::are_void
+          ? fmt::format(
+                "{} neither a region nor a hole given inside, {}: left void; a region "
+                "meshes it, a hole says that it is meant",
+                faces, place)
+          : fmt::format("{} no {} inside, {} with an area of {:.6g}: {} 'unnamed'", faces,
+                        kind == MissedFaces::lack_label ? "label" : "region given", place,
+                        measures[missed.front()].area, is_one ? "it is" : "they are");
   notes.push_back({Note::Kind::warning, kVoid, std::move(message), std::move(where)});
 }
 

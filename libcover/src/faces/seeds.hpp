@@ -31,9 +31,13 @@ struct SeededFaces {
 /// Cost:   O(seeds * sqrt(n)) typically.
 Result<SeededFaces> apply_seeds(const Pslg& pslg, const Faces& faces, std::vector<Note>& notes);
 
-/// Tells of faces that may want a seed, which are all void or all regions. Left out are those that
-/// are too thin for one.
-void warn_of_missed_faces(std::vector<std::uint32_t> missed, bool are_void,
+/// What faces without a seed are: void, or regions that no label of a drawing names, or no region
+/// of a .poly.
+enum class MissedFaces { are_void, lack_label, lack_region };
+
+/// Tells of faces that may want a seed, all of one kind. Left out are those that are too thin for
+/// one.
+void warn_of_missed_faces(std::vector<std::uint32_t> missed, MissedFaces kind,
                           const std::vector<FaceMeasure>& measures, std::vector<Note>& notes);
 
 }  // namespace cover

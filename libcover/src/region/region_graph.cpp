@@ -123,8 +123,13 @@ class TableMaker {
         warn_of_sliver("a void", measures[f], notes);
       }
     }
-    const bool are_void = pslg_.void_rule == VoidRule::unseeded_faces;
-    warn_of_missed_faces(seeded_.missed, are_void, measures, notes);
+    const bool has_labels =
+        std::any_of(pslg_.seeds.begin(), pslg_.seeds.end(),
+                    [](const RegionSeed& seed) { return !seed.label_layer.empty(); });
+    const MissedFaces kind = pslg_.void_rule == VoidRule::unseeded_faces ? MissedFaces::are_void
+                             : has_labels                                ? MissedFaces::lack_label
+                                                                         : MissedFaces::lack_region;
+    warn_of_missed_faces(seeded_.missed, kind, measures, notes);
   }
 
   /// What the features of the regions have.

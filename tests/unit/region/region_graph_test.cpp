@@ -158,6 +158,19 @@ TEST(BuildRegionTable, TellsOfFacesThatSeedsMayHaveMissed) {
   EXPECT_TRUE(find(input)->notes.empty());
 }
 
+TEST(BuildRegionTable, TellsOfFacesThatNoRegionOfAPolyNames) {
+  Input input = nested();
+  input.seeds_may_miss = true;
+  input.seeds = {seed({4, 4}, "silicon", 1)};
+  const auto found = find(input);
+  ASSERT_TRUE(found) << found.error().message;
+  ASSERT_EQ(found->notes.size(), 1U);
+  EXPECT_EQ(found->notes[0].message.find("2 closed faces have no region given inside, the largest "
+                                         "at ("),
+            0U);
+  EXPECT_NE(found->notes[0].message.find(": they are 'unnamed'"), std::string::npos);
+}
+
 TEST(BuildRegionTable, NumbersMaterialsByFirstAppearanceAroundGivenNumbers) {
   Input input = nested();
   add_loop(input, square(3, 4));

@@ -330,6 +330,7 @@ bool PolyReader::read_regions(Input& input) {
     check_surplus("a region", 5);
     input.seeds.push_back(std::move(seed));
   }
+  input.seeds_may_miss = count > 0;
   return true;
 }
 

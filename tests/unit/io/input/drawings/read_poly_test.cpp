@@ -66,6 +66,7 @@ TEST(ReadPoly, ReadsEverySection) {
   EXPECT_FALSE(input->seeds[0].size);
   EXPECT_EQ(input->seeds[1].material, "2.5");
   EXPECT_NEAR(input->seeds[1].size.value(), 1, 1e-15);
+  EXPECT_TRUE(input->seeds_may_miss);
   EXPECT_EQ(input->void_rule, VoidRule::holes_only);
 }
 
