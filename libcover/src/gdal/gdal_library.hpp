@@ -5,6 +5,7 @@
 #include <memory>
 
 #include <cpl_error.h>
+#include <cpl_string.h>
 #include <cpl_vsi.h>
 #include <gdal.h>
 #include <ogr_api.h>
@@ -19,6 +20,7 @@ namespace cover {
   X(CPLPushErrorHandlerEx)              \
   X(CPLPopErrorHandler)                 \
   X(CPLGetErrorHandlerUserData)         \
+  X(CPLIsUTF8)                          \
   X(GDALOpenEx)                         \
   X(GDALClose)                          \
   X(GDALDatasetGetLayerCount)           \

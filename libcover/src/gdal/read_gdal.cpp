@@ -237,10 +237,19 @@ class MapReader {
     return gdal_.OGR_Fld_GetType(gdal_.OGR_F_GetFieldDefnRef(feature, field));
   }
 
+  /// A text as GDAL has it, in UTF-8 unless the file does not say in which code page it is.
+  std::string words_in(OGRFeatureH feature, int field) {
+    std::string words = gdal_.OGR_F_GetFieldAsString(feature, field);
+    if (gdal_.CPLIsUTF8(words.c_str(), static_cast<int>(words.size())) == 0 && no_utf8_++ == 0)
+      first_no_utf8_ =
+          fmt::format("'{}' of feature {}", printable(words), gdal_.OGR_F_GetFID(feature));
+    return words;
+  }
+
   /// The text of an attribute as GeoJSON would have it; empty if there is none.
   std::string text_of(OGRFeatureH feature, int field) {
     if (!has(feature, field)) return "";
-    if (type_of(feature, field) != OFTReal) return gdal_.OGR_F_GetFieldAsString(feature, field);
+    if (type_of(feature, field) != OFTReal) return words_in(feature, field);
     std::string text = fmt::format("{}", gdal_.OGR_F_GetFieldAsDouble(feature, field));
     return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
   }
@@ -252,7 +261,7 @@ class MapReader {
     if (type == OFTReal) return gdal_.OGR_F_GetFieldAsDouble(feature, field);
     if (type == OFTInteger || type == OFTInteger64)
       return std::int64_t{gdal_.OGR_F_GetFieldAsInteger64(feature, field)};
-    return std::string(gdal_.OGR_F_GetFieldAsString(feature, field));
+    return words_in(feature, field);
   }
 
   /// A length; whatever else a table calls so is left out, as of GeoJSON.
@@ -403,6 +412,14 @@ class MapReader {
 
   void tell() {
     left_out_.tell("attribute", input_);
+    if (no_utf8_ > 0)
+      input_.warnings.push_back(fmt::format(
+          "{} no UTF-8, {}{}: {}", counted(no_utf8_, "text") + (no_utf8_ == 1 ? " is" : " are"),
+          no_utf8_ == 1 ? "" : "the first of them ", first_no_utf8_,
+          extension_of(input_.source) == ".shp"
+              ? "a .cpg beside the .shp, or the environment variable SHAPE_ENCODING, says in which "
+                "code page they are, as ISO-8859-1"
+              : "letters beyond ASCII may be others"));
     if (degrees_) input_.warnings.emplace_back(kInDegrees);
   }
 
@@ -420,6 +437,8 @@ class MapReader {
   GIntBig fid_ = 0;
   long features_ = 0;
   LeftOut left_out_;
+  std::size_t no_utf8_ = 0;  ///< texts
+  std::string first_no_utf8_;
   bool degrees_ = false;
   std::string system_layer_;  ///< the first whose system is known
   AskedNames asked_;

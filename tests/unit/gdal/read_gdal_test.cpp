@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 
 #include <cover/cover_mesh.hpp>
@@ -211,6 +212,33 @@ TEST_F(ReadGdal, WithoutASystemNothingIsProjected) {
   options.crs = "EPSG:25832";
   EXPECT_EQ(message(path, options),
             "crs: the layer does not say in which system its coordinates are");
+}
+
+TEST_F(ReadGdal, TextsThatAreNoUtf8AreTold) {
+  const std::string path = converted("p.shp");
+  const fs::path table = folder_.path() / "p.dbf";
+  fs::remove(folder_.path() / "p.cpg");
+  std::fstream file(table, std::ios::in | std::ios::out | std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  constexpr std::size_t kCodePage = 29;
+  bytes[kCodePage] = 0;
+  const std::size_t name = bytes.find("7/1");
+  ASSERT_NE(name, std::string::npos);
+  bytes[name] = '\xe4';
+  file.seekp(0).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  ReadOptions options;
+  options.keep_fields = {"landuse"};
+  const std::vector<std::string> told = read(path, options).warnings;
+  ASSERT_FALSE(told.empty());
+  EXPECT_EQ(told[0].find("1 text is no UTF-8, '\\xe4/1' of feature 0: a .cpg beside the .shp, or "
+                         "the environment variable SHAPE_ENCODING, says in which code page"),
+            0U)
+      << told[0];
+  std::ofstream(folder_.path() / "p.cpg") << "ISO-8859-1";
+  const Input known = read(path, options);
+  EXPECT_EQ(known.polygons[0].region, "\xc3\xa4/1");
+  EXPECT_EQ(known.warnings, (std::vector<std::string>{told.begin() + 1, told.end()}));
 }
 
 TEST_F(ReadGdal, CoordinatesOfNoKnownSystemAreRefusedOrTold) {

@@ -67,7 +67,17 @@ std::string unit_advice(const Input& one, const Input& other) {
   const Input& scaled = other_is_scaled ? other : one;
   const std::string& unit = other_is_scaled ? one.unit : other.unit;
   const std::optional<double> factor = factor_between(unit_in_words(scaled), unit);
-  if (!factor) return "the option unit gives all of them one";
+  if (!factor) {
+    // A shapefile without its .prj, say.
+    const bool one_knows = !one.system.empty(), other_knows = !other.system.empty();
+    const std::string lacking =
+        one_knows == other_knows
+            ? ""
+            : fmt::format("{} says no coordinate system, as a .prj or 'crs' does; ",
+                          one_knows ? other.source : one.source);
+    return lacking + fmt::format("the option unit (--unit {}) gives all of them one",
+                                 is_length_unit(unit) ? unit : "mm");
+  }
   return fmt::format(
       "multiply the coordinates of {} by {:.10g} first, which makes them {}; the option unit takes "
       "all numbers as they are",

@@ -133,7 +133,12 @@ TEST(JoinInputs, UnitsThatDifferAreToldWithWhatMakesThemOne) {
                                        "first, which makes them mm; the option unit takes all "
                                        "numbers as they are");
   EXPECT_NE(message("m", "").find("of y by 1000 first, which makes them mm;"), std::string::npos);
-  EXPECT_EQ(message("", ""), head + "mm and none: the option unit gives all of them one");
+  const std::string advice = "the option unit (--unit mm) gives all of them one";
+  EXPECT_EQ(message("", ""), head + "mm and none: " + advice);
+  one.system = "EPSG:25832";
+  EXPECT_EQ(message("", ""),
+            head + "mm and none: y says no coordinate system, as a .prj or 'crs' does; " + advice);
+  one.system.clear();
   other.unit = "";
   other.other_unit = "feet";
   const Result<Input> joined = join_inputs({other, one});
