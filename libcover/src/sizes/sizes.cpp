@@ -260,6 +260,27 @@ bool asks_for_something(const SizeFunction& field, std::span<const RegionBoundar
   });
 }
 
+/// Tells where no size counts for being larger than the whole drawing, as one in metres does where
+/// coordinates are degrees.
+void warn_of_vast_sizes(const Pslg& pslg, const Options& options,
+                        std::span<const RegionBoundary> boundaries, std::vector<Note>& notes) {
+  double smallest = kInfinity;
+  for (const SizeRule& rule : options.sizes) {
+    if (!rule.expression.empty()) return;
+    smallest = std::min(smallest, rule.size);
+  }
+  for (const RegionBoundary& boundary : boundaries)
+    if (boundary.size > 0) smallest = std::min(smallest, boundary.size);
+  const double across = box_of(pslg.points).diagonal();
+  if (options.size_field || !std::isfinite(smallest) || !(smallest > across)) return;
+  notes.push_back({Note::Kind::warning,
+                   kVoid,
+                   fmt::format("every size that is asked for is larger than the whole drawing: the "
+                               "smallest is {}, and all points are within {}",
+                               describe_roughly(smallest), describe_roughly(across)),
+                   {}});
+}
+
 }  // namespace
 
 void warn_of_sizes(const Pslg& pslg, const Options& options,
@@ -274,6 +295,7 @@ void warn_of_sizes(const Pslg& pslg, const Options& options,
                      {}});
     return;
   }
+  warn_of_vast_sizes(pslg, options, boundaries, notes);
   for (const std::string& expression : sizes_of_nothing(boundaries, options.min_size)) {
     notes.push_back(
         {Note::Kind::warning,

@@ -380,6 +380,30 @@ TEST(Sizes, LongSegmentsAreWarnedOfOnce) {
   EXPECT_EQ(warned().size(), 1U);
 }
 
+TEST(Sizes, ThoseThatAreLargerThanTheDrawingAreWarnedOf) {
+  const Regions regions = regions_of(two_rectangles());
+  auto boundaries = split_regions(regions.pslg, regions.table);
+  const auto warned = [&](std::vector<SizeRule> sizes, SizeFunction field = {}) {
+    Options options;
+    options.sizes = std::move(sizes);
+    options.size_field = std::move(field);
+    EXPECT_TRUE(resolve_sizes(regions.pslg, regions.table, options, boundaries));
+    std::vector<Note> notes;
+    warn_of_sizes(regions.pslg, options, boundaries, true, notes);
+    return std::any_of(notes.begin(), notes.end(), [](const Note& note) {
+      return note.message.starts_with(
+          "every size that is asked for is larger than the whole "
+          "drawing: the smallest is 4, and all points are within 3.");
+    });
+  };
+  const SizeRule vast{"", 200, false}, left{"left", 4, false};
+  EXPECT_TRUE(warned({vast, left}));
+  EXPECT_FALSE(warned({vast, left, {"right", 0.5, false}}));
+  EXPECT_FALSE(warned({vast, left, {"", 0, false, "1 + x"}}));
+  EXPECT_FALSE(warned({vast, left}, [](Point) { return 1.0; }));
+  EXPECT_FALSE(warned({}));
+}
+
 TEST(Sizes, ExpressionsThatAskForNothingAreWarnedOf) {
   const Regions regions = regions_of(two_rectangles());
   auto boundaries = split_regions(regions.pslg, regions.table);
