@@ -13,12 +13,19 @@
 // | elements of XML, one in the other | kXmlDepth |
 // | elements of XML in all | kXmlElements |
 // | entities and external files of XML | none |
-// | values in JSON, one in the other | kJsonDepth |
+// | values in JSON, one in the other | none: they are read without recursion |
+// | pixels of a picture | kImagePixels, and kImageUnfolding for each byte |
+// | regions in a picture | kImageRegions |
+// | lists or calls of a drawing program, one | kSchemeDepth |
+// | in the other | |
+// | its evaluations | kSchemeSteps |
+// | what it puts together: characters, items | kSchemeText |
 // | files of a .vtm | each once |
 // | shapes of a layout or drawing that cells | as many as the file has itself, and kLayoutShapes, |
 // | or blocks repeat, and their points | kLayoutPoints |
 // | cells or blocks, one in the other | kCellDepth |
-// | crossings of lines | those that memory surely holds (TooManyCrossings) | clang-format on
+// | crossings of lines | those that memory surely holds (TooManyCrossings) |
+// clang-format on
 //
 // Tested by tests/unit/io/text/limits_test.cpp.
 #pragma once
