@@ -86,10 +86,6 @@ mode_t of_folder(const std::optional<FileOwner>& owner) {
   return owner ? (owner->mode & kAll) | ((owner->mode & kRead) >> 2U) | kOwn : kAll;
 }
 
-Error cancelled(const std::string& shown) {
-  return {ErrorCode::cancelled, fmt::format("interrupted; {} was not written", shown), {}, {}};
-}
-
 }  // namespace
 
 Result<PieceFolder> PieceFolder::open(const fs::path& target, const std::string& shown,
@@ -126,7 +122,7 @@ Status PieceFolder::lock() {
     lock_ = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (lock_ < 0) return failure(errno);
     while (flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-      if (stop_.stop_requested()) return cancelled(shown_);
+      if (stop_.stop_requested()) return not_written(shown_);
       constexpr std::chrono::milliseconds kPause(20);
       std::this_thread::sleep_for(kPause);
     }
@@ -181,7 +177,7 @@ Result<std::string> PieceFolder::add(const std::function<void(const ByteSink&)>&
   });
   std::string name = fmt::format("{}_{}_{}.vtu", stem_, pieces_.size(), hash.text());
   const fs::path path = folder_ / name;
-  if (stop_.stop_requested()) return cancelled(shown_);
+  if (stop_.stop_requested()) return not_written(shown_);
   if (!holds(path, size, hash)) {
     if (!file) create();
     if (!*file) return std::move(*file).error();
@@ -208,7 +204,7 @@ Status PieceFolder::sync_pieces() {
     const int number = fsync(file) == 0 ? 0 : errno;
     close(file);
     if (number != 0) return cannot_write(shown_, number);
-    if (stop_.stop_requested()) return cancelled(shown_);
+    if (stop_.stop_requested()) return not_written(shown_);
   }
   return sync_folder(folder_, shown_);
 }

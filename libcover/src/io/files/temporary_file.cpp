@@ -68,10 +68,6 @@ void remove_if_dead(const fs::path& path) {
   close(file);
 }
 
-Error not_written(const std::string& shown) {
-  return {ErrorCode::cancelled, fmt::format("interrupted; {} was not written", shown), {}, {}};
-}
-
 bool is_pipe(const std::string& path) {
   struct stat status {};
   return stat(path.c_str(), &status) == 0 && S_ISFIFO(status.st_mode);
@@ -112,6 +108,10 @@ Error cannot_write(const std::string& path, int number) {
           fmt::format("cannot write {}: {}", path, std::generic_category().message(number)),
           {},
           {}};
+}
+
+Error not_written(const std::string& path) {
+  return {ErrorCode::cancelled, fmt::format("interrupted; {} was not written", path), {}, {}};
 }
 
 Result<fs::path> end_of_links(const fs::path& path) {

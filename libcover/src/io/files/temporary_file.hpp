@@ -17,6 +17,8 @@ namespace cover {
 
 /// The error of a file that cannot be written, with the system's reason `number` (errno).
 Error cannot_write(const std::string& path, int number);
+/// The error of a file that was to be written when the caller wanted no more.
+Error not_written(const std::string& path);
 
 /// Where the bytes of a file go that is written under the name `path`: the end of a chain of
 /// symbolic links, whether it is there or not; else `path` itself. Links of /proc are not followed:

@@ -8,8 +8,6 @@
 #include <cerrno>
 #include <utility>
 
-#include <fmt/core.h>
-
 #include "io/files/temporary_file.hpp"
 
 namespace cover {
@@ -69,8 +67,7 @@ Status PlacedFile::finish() {
   if (is_good() && fsync(file_) != 0) fail(errno);
   if (failure_ != 0) return cannot_write(shown_, failure_);
   if (!stop_.stop_requested()) return ok();
-  return Error{
-      ErrorCode::cancelled, fmt::format("interrupted; {} was not written", shown_), {}, {}};
+  return not_written(shown_);
 }
 
 }  // namespace cover
