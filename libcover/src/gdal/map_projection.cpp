@@ -6,12 +6,11 @@
 
 #include <fmt/core.h>
 
+#include "base/faults/errors.hpp"
 #include "io/input/coordinate_systems.hpp"
 
 namespace cover {
 namespace {
-
-Error bad_crs(std::string message) { return {ErrorCode::bad_option, std::move(message), {}, {}}; }
 
 using Reference = GdalHandle<&GdalLibrary::OSRDestroySpatialReference>;
 
@@ -83,16 +82,16 @@ Result<MapProjection> projection_of(OGRSpatialReferenceH system, const std::stri
   }
   const Reference to(gdal.OSRNewSpatialReference(nullptr));
   if (is_elsewhere(wanted) || gdal.OSRSetFromUserInput(to.get(), wanted.c_str()) != OGRERR_NONE)
-    return bad_crs(fmt::format("crs: PROJ does not know '{}'; as EPSG:25832", wanted));
+    return bad_option(fmt::format("crs: PROJ does not know '{}'; as EPSG:25832", wanted));
   if (system == nullptr)
-    return bad_crs("crs: the layer does not say in which system its coordinates are");
+    return bad_option("crs: the layer does not say in which system its coordinates are");
   const Reference from(gdal.OSRClone(system));
   // x is the longitude, as in files, whatever the authority says.
   gdal.OSRSetAxisMappingStrategy(from.get(), OAMS_TRADITIONAL_GIS_ORDER);
   gdal.OSRSetAxisMappingStrategy(to.get(), OAMS_TRADITIONAL_GIS_ORDER);
   projection.transform.reset(gdal.OCTNewCoordinateTransformation(from.get(), to.get()));
   if (!projection.transform)
-    return bad_crs(fmt::format("crs: there is no way from the layer's system to '{}'", wanted));
+    return bad_option(fmt::format("crs: there is no way from the layer's system to '{}'", wanted));
   projection.from_degrees = gdal.OSRIsGeographic(from.get()) != 0;
   describe_result(to.get(), projection);
   return projection;

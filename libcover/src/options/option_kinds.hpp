@@ -16,13 +16,10 @@
 #include <cover/option_table.hpp>
 #include <cover/text.hpp>
 
+#include "base/faults/errors.hpp"
 #include "base/words/parse_number.hpp"
 
 namespace cover::option_kinds {
-
-inline Error bad_option(std::string message) {
-  return {ErrorCode::bad_option, std::move(message), {}, {}};
-}
 
 /// A number that fills the whole text, with a plus sign or without.
 template <class Number>

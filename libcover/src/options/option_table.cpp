@@ -13,7 +13,6 @@ namespace cover {
 namespace {
 
 using option_kinds::angle;
-using option_kinds::bad_option;
 using option_kinds::flag;
 using option_kinds::layers;
 using option_kinds::number;

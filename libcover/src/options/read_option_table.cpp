@@ -10,7 +10,6 @@
 namespace cover {
 namespace {
 
-using option_kinds::bad_option;
 using option_kinds::flag;
 using option_kinds::named;
 using option_kinds::number;

@@ -14,6 +14,7 @@
 
 #include <cover/text.hpp>
 
+#include "base/faults/errors.hpp"
 #include "base/faults/out_of_memory.hpp"
 #include "io/files/temporary_file.hpp"
 #include "io/write_mesh/check_format.hpp"
@@ -128,18 +129,18 @@ std::vector<std::string> formats_with(bool (*has)(const Format&)) {
   return extensions;
 }
 
-Status bad(std::string message) { return Error{ErrorCode::bad_option, std::move(message), {}, {}}; }
-
 /// Whether there are so many parts.
 Status check_parts(const Format& format, const std::string& path, const WriteOptions& options) {
   constexpr int kMostOpen = 500;  // all are open until the last one is on the disk
   if (format.write == write_pvtu) return ok();
   if (format.files != Files::one_or_parts)
-    return bad(fmt::format("cannot write '{}' in parts: .pvtu has some, and .msh 4.1", path));
+    return bad_option(
+        fmt::format("cannot write '{}' in parts: .pvtu has some, and .msh 4.1", path));
   if (options.msh != "4.1")
-    return bad(fmt::format("cannot write '{}' in parts: .msh has some in version 4.1", path));
+    return bad_option(
+        fmt::format("cannot write '{}' in parts: .msh has some in version 4.1", path));
   if (options.parts > kMostOpen)
-    return bad(fmt::format("cannot write '{}' in more than {} parts", path, kMostOpen));
+    return bad_option(fmt::format("cannot write '{}' in more than {} parts", path, kMostOpen));
   return ok();
 }
 
@@ -152,7 +153,7 @@ Status check_name(const Format& format, const std::string& path, const WriteOpti
   if (!target) return target.error();
   const std::string name = target->filename();
   if (printable(name) == name) return ok();
-  return bad(
+  return bad_option(
       fmt::format("cannot write '{}': the XML of {} cannot name files beside it that are "
                   "called so: control characters, or no UTF-8",
                   printable(path), format.extension));
@@ -161,7 +162,7 @@ Status check_name(const Format& format, const std::string& path, const WriteOpti
 Status check_for(const Format& format, const std::string& path, const WriteOptions& options) {
   if (Status status = check_write_options(options); !status) return status;
   if (options.order == 2 && !format.second_order)
-    return bad(
+    return bad_option(
         fmt::format("cannot write '{}': {} has no second-order triangles", path, format.extension));
   if (Status status = check_name(format, path, options); !status) return status;
   return options.parts == 1 ? ok() : check_parts(format, path, options);
