@@ -232,15 +232,16 @@ std::string layers_text(const LayersFound& layers, const std::string& line,
                         const std::string& region, bool is_met) {
   std::string text =
       fmt::format("{}Layers along '{}' in '{}': ", is_met ? "" : "FAILED ", line, region);
-  if (layers.layered == 0)
-    return text + fmt::format("none over {}\n", counted(layers.edges, "edge"));
+  const std::string edges =
+      fmt::format("{} edge{}", grouped(layers.edges), layers.edges == 1 ? "" : "s");
+  if (layers.layered == 0) return text + fmt::format("none over {}\n", edges);
   return text + fmt::format(
                     "{} to {} over {} of {}; the first {:.10g} to {:.10g} thick, all {:.10g}; {} "
                     "triangles, largest angle {:.6f}, {} above 90 degrees; {}\n",
-                    layers.fewest, layers.most, grouped(layers.layered),
-                    counted(layers.edges, "edge"), layers.first_least, layers.first_most,
-                    layers.thickness, grouped(layers.triangles), layers.largest.in_degrees(),
-                    grouped(layers.above_90), counted(layers.negative, "negative coupling"));
+                    layers.fewest, layers.most, grouped(layers.layered), edges, layers.first_least,
+                    layers.first_most, layers.thickness, grouped(layers.triangles),
+                    layers.largest.in_degrees(), grouped(layers.above_90),
+                    counted(layers.negative, "negative coupling"));
 }
 
 }  // namespace cover::app

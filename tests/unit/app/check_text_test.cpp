@@ -116,6 +116,9 @@ TEST(CheckText, Rows) {
   layers.edges = 1;
   EXPECT_EQ(layers_text(layers, "gate", "oxide", false),
             "FAILED Layers along 'gate' in 'oxide': none over 1 edge\n");
+  layers.edges = 1016;
+  EXPECT_EQ(layers_text(layers, "gate", "oxide", true),
+            "Layers along 'gate' in 'oxide': none over 1,016 edges\n");
   layers.layered = 1;
   EXPECT_EQ(layers_text(layers, "gate", "oxide", true).find("Layers along 'gate' in 'oxide': 0 to"),
             0u);
