@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 #include <pybind11/numpy.h>
@@ -12,6 +14,7 @@
 #include <cover/curved_mesh.hpp>
 #include <cover/files.hpp>
 #include <cover/mesh.hpp>
+#include <cover/mesh_view.hpp>
 #include <cover/picture.hpp>
 #include <cover/verify.hpp>
 #include <cover/write_mesh.hpp>
@@ -83,6 +86,20 @@ py::dict lines_of(const PyMesh& mesh) {
     lines[name].cast<py::list>().append(piece);
   }
   return lines;
+}
+
+/// The vertices that the input calls by a name, by that.
+py::dict named_points(const PyMesh& mesh) {
+  std::map<std::string, std::vector<std::int64_t>> vertices;
+  std::vector<std::string> names;  // in the order of the input
+  for (const NamedPoint& point : named_points_of(mesh.output)) {
+    std::vector<std::int64_t>& of_name = vertices[point.name];
+    if (of_name.empty()) names.push_back(point.name);
+    of_name.push_back(point.vertex.value());
+  }
+  py::dict points;
+  for (const std::string& name : names) points[name_of(name)] = array_of(vertices[name]);
+  return points;
 }
 
 /// Pairs of vertices and edges on periodic sides, by rule.
@@ -241,6 +258,9 @@ void define_mesh(py::module_& module) {
           "lines", &lines_of,
           "By name of an interface, outline, contact or inner line: its pieces, dictionaries with "
           "the regions left and right (0: the void) and edges, (k, 2) indices into points.")
+      .def_property_readonly("named_points", &named_points,
+                             "By name of a point, as of wells and boreholes: its indices into "
+                             "points, several where several points have that name.")
       .def_property_readonly(
           "periodic", &periodic_of,
           "By pair of periodic sides: a dictionary with the lines from and to, vertices, (k, 2) "

@@ -10,6 +10,7 @@
 
 #include <cover/curved_mesh.hpp>
 #include <cover/mesh.hpp>
+#include <cover/mesh_view.hpp>
 #include <cover/pslg.hpp>
 #include <cover/stored_mesh.hpp>
 
@@ -196,16 +197,9 @@ void take_arcs(const py::list& arcs, StoredMesh& stored) {
 
 /// Vertices of the mesh with the names that the input gives them.
 py::list pickled_points(const Output& output) {
-  std::multimap<long, std::string> names;
-  for (const NamedPoint& point : output.pslg.named_points)
-    names.emplace(static_cast<long>(point.vertex.index()), point.name);
   py::list out;
-  if (names.empty()) return out;
-  for (const auto v : output.mesh.tri().vertices()) {
-    const auto [first, last] = names.equal_range(output.mesh.input_id(v));
-    for (auto name = first; name != last; ++name)
-      out.append(py::make_tuple(v.idx(), name_of(name->second)));
-  }
+  for (const NamedPoint& point : named_points_of(output))
+    out.append(py::make_tuple(point.vertex.value(), name_of(point.name)));
   return out;
 }
 

@@ -57,6 +57,23 @@ class Voids(Case):
                 self.assertEqual(len(cover.mesh_file(self.dir / 'clean.poly').regions), 1)
 
 
+class NamedPoints(Case):
+    def test_survive_files_and_pickling(self):
+        corners = [[0, 0], [9, 0], [9, 9], [0, 9]]
+        def feature(kind, coordinates, name):
+            return {'type': 'Feature', 'properties': {'name': name}, 'geometry': {'type': kind, 'coordinates': coordinates}}
+        wells = [('probe ö', [4, 3]), ('well', [2, 2]), ('well', [6, 5])]
+        (self.dir / 'map.geojson').write_text(json.dumps({'type': 'FeatureCollection', 'features': [
+            feature('Polygon', [[*corners, corners[0]]], 'field'), *(feature('Point', at, name) for name, at in wells)]}))
+        mesh = cover.mesh_file(self.dir / 'map.geojson')
+        mesh.save(self.dir / 'a.vtm')
+        for other in mesh, cover.read(self.dir / 'a.vtm'), pickle.loads(pickle.dumps(mesh)):
+            self.assertEqual([(name, other.points[k].tolist()) for name, points in other.named_points.items() for k in points], wells)
+            self.assertEqual(other.named_points['well'].dtype, np.int64)
+            self.assertFalse(other.named_points['well'].flags.writeable)
+        self.assertEqual(cover.mesh(SQUARE, RING).named_points, {})
+
+
 class Notes(Case):
     def test_options_of_reading_without_effect(self):
         mesh = cover.mesh_file(DATA / 'mosfet.poly', layer='metal', speckle=4, scale=2, crs=None, no_smooth=False)

@@ -122,6 +122,8 @@ class Mesh:
     @property
     def lines(self) -> dict[str, list[_Line]]: ...
     @property
+    def named_points(self) -> dict[str, npt.NDArray[np.int64]]: ...  # indices into points
+    @property
     def periodic(self) -> list[dict[str, Any]]: ...  # "from", "to", "vertices" (pairs), "edges"
     @property
     def arcs(self) -> dict[str, Any]: ...  # "edges" on arcs, their "middles", "straight" ones, "areas"

@@ -110,6 +110,10 @@ struct MeshView {
 /// Cost: O(n log n) in the number of lines, linear in all else.
 MeshView view_of(const Output& output, const WriteOptions& options);
 
+/// The points that the input names, with their numbers in the mesh instead of the PSLG: those that
+/// are in it, in the order of the input.
+std::vector<NamedPoint> named_points_of(const Output& output);
+
 /// The same without lines and named points and their groups, for formats that hold none.
 ///
 /// Cost: linear

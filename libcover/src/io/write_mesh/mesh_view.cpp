@@ -221,23 +221,6 @@ void add_named(std::span<const NamedPoint> points, MeshView& view) {
   view.point_groups = grouping.finish(static_cast<int>(taken.size()) + 1, taken);
 }
 
-/// Those that are in the mesh, by their numbers there.
-std::vector<NamedPoint> named_points_of(const Output& output) {
-  const Pslg& pslg = output.pslg;
-  if (pslg.named_points.empty()) return {};
-  std::vector<std::uint32_t> number(pslg.points.size(), kNone);
-  for (const auto v : output.mesh.tri().vertices()) {
-    const long point = output.mesh.input_id(v);
-    if (point >= 0) number[static_cast<std::size_t>(point)] = static_cast<std::uint32_t>(v.idx());
-  }
-  std::vector<NamedPoint> named;
-  for (const NamedPoint& point : pslg.named_points) {
-    const std::uint32_t v = number[point.vertex.index()];
-    if (v != kNone) named.push_back({VertexId(v), point.name});
-  }
-  return named;
-}
-
 class Viewer {
  public:
   Viewer(const Output& output, const WriteOptions& options, const Team& team)
@@ -426,6 +409,22 @@ MeshView make_view(const Output& output, const WriteOptions& options, bool with_
 }
 
 }  // namespace
+
+std::vector<NamedPoint> named_points_of(const Output& output) {
+  const Pslg& pslg = output.pslg;
+  if (pslg.named_points.empty()) return {};
+  std::vector<std::uint32_t> number(pslg.points.size(), kNone);
+  for (const auto v : output.mesh.tri().vertices()) {
+    const long point = output.mesh.input_id(v);
+    if (point >= 0) number[static_cast<std::size_t>(point)] = static_cast<std::uint32_t>(v.idx());
+  }
+  std::vector<NamedPoint> named;
+  for (const NamedPoint& point : pslg.named_points) {
+    const std::uint32_t v = number[point.vertex.index()];
+    if (v != kNone) named.push_back({VertexId(v), point.name});
+  }
+  return named;
+}
 
 MeshView view_of(const Output& output, const WriteOptions& options) {
   return make_view(output, options, true);
