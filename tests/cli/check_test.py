@@ -165,6 +165,19 @@ class Check(Case):
         self.run_cover('mesh', plate, '--method', 'almond', '-o', 'a.vtm', '-q')
         self.assertIn(usual, self.run_cover('check', plate, 'a.vtm')[0])
 
+    def test_names_of_regions(self):
+        """Two regions of one material that change names would be n for p."""
+        ring = [[[x, 0], [x + 1, 0], [x + 1, 1], [x, 1]] for x in (0, 1)]
+        self.write('d.json', json.dumps({'polygons': [{'material': 'si', 'region': name, 'rings': [r]} for name, r in zip(('p', 'n'), ring)]}))
+        self.run_cover('mesh', 'd.json', '-o', 'd.msh', '-o', 'd.inp', '-q')
+        for name in ('d.msh', 'd.inp'):
+            self.run_cover('check', 'd.json', name)
+        text = (self.dir / 'd.msh').read_text()
+        self.write('e.msh', text.replace('"p"', '"x"').replace('"n"', '"p"').replace('"x"', '"n"'))
+        out, _ = self.run_cover('check', 'd.json', 'e.msh', code=6)
+        self.assertRegex(out, r"FAILED named regions: \d+ triangles of 'p' are named 'n'")
+        self.assertNotIn('Every promise', out)
+
     def test_cuts_of_split_interfaces(self):
         plate = SAMPLES / 'plate.poly'
         out, _ = self.run_cover('mesh', plate, '-o', 's.msh', '-o', 's.json', '--report', 's.html', '--split-interfaces')

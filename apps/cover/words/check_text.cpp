@@ -89,6 +89,16 @@ std::string sound_text(const Verification& found, std::size_t triangles, bool is
   return text;
 }
 
+std::string wrong_regions_text(std::span<const WrongRegion> regions) {
+  std::string text;
+  for (const WrongRegion& region : regions)
+    text += fmt::format("FAILED named regions: {} of '{}' {} named '{}'\n",
+                        counted(region.triangles, "triangle"), printable(region.name),
+                        region.triangles == 1 ? "is" : "are", printable(region.group)) +
+            places_text({&region.at, 1});
+  return text;
+}
+
 std::string wrong_lines_text(const NamedLines& lines) {
   std::string text;
   for (const WrongLine& line : lines.wrong) {

@@ -14,6 +14,7 @@
 #include <cover/verify_layers.hpp>
 
 #include "commands/check/cut_input.hpp"
+#include "commands/check/named_groups.hpp"
 #include "commands/check/named_lines.hpp"
 #include "commands/check/rounded_points.hpp"
 
@@ -32,6 +33,9 @@ struct AngleTargets {
 /// `is_all_met`: nothing else that was asked for has failed.
 std::string sound_text(const Verification& found, std::size_t triangles, bool is_all_met,
                        const AngleTargets& targets = {});
+
+/// Regions with triangles under another name.
+std::string wrong_regions_text(std::span<const WrongRegion> regions);
 
 /// Named lines that are not as in the input.
 std::string wrong_lines_text(const NamedLines& lines);

@@ -179,6 +179,12 @@ int print_promises(const Verification& found) {
   return found.violations.empty() ? exit_ok : exit_unmet;
 }
 
+/// Whether triangles have the names of their regions.
+int print_regions(const std::vector<WrongRegion>& wrong) {
+  fmt::print("{}", wrong_regions_text(wrong));
+  return wrong.empty() ? exit_ok : exit_unmet;
+}
+
 /// Whether lines that the input names have their edges in the mesh.
 int print_lines(const NamedLines& lines) {
   fmt::print("{}", wrong_lines_text(lines));
@@ -347,8 +353,10 @@ int check_whole(const CheckCommand& command, const std::string& mesh_path,
   const RoundedPoints rounded = restore_digits(mesh_path, prepared.pslg, mesh.soup);
   fmt::print("{}", rounded_text(rounded));
   VerifyOptions verify = command.verify;
-  verify.material_numbers =
-      mesh.has_materials || take_materials_by_name(prepared.table, mesh.group_names, mesh.soup);
+  const std::vector<std::int64_t> groups = mesh.soup.material;  // where it has no materials
+  const bool has_names =
+      !mesh.has_materials && take_materials_by_name(prepared.table, mesh.group_names, mesh.soup);
+  verify.material_numbers = mesh.has_materials || has_names;
   Verification found = verify_cover(prepared.pslg, prepared.table, mesh.soup, verify);
   heed_groups(mesh_path, prepared, mesh.soup, verify, found);
   const auto cuts = take_own_cuts(mesh_path, mesh, verify, prepared, found);
@@ -356,6 +364,10 @@ int check_whole(const CheckCommand& command, const std::string& mesh_path,
   const bool is_run_told = print_hints(command, origin, found, prepared.pslg, mesh.soup);
   int code = print_promises(found);
   if (rounded.count > 0) code = exit_unmet;
+  if (has_names)
+    code = first_failure(
+        code, print_regions(check_named_regions(prepared.table, found.triangle_regions, groups,
+                                                mesh.group_names, mesh.soup)));
 
   // A piece of a segment is a side of its own to all that follows but for curves.
   const bool needs_pieces = !subject.periodic.empty() || !command.layers.empty() ||

@@ -1,6 +1,8 @@
 // Tested by tests/unit/app/named_groups_test.cpp.
 #include "commands/check/named_groups.hpp"
 
+#include <utility>
+
 #include <cover/text.hpp>
 
 namespace cover::app {
@@ -37,6 +39,25 @@ bool take_materials_by_name(const RegionTable& table,
   }
   for (std::int64_t& number : mesh.material) number = material_of.at(number);
   return true;
+}
+
+std::vector<WrongRegion> check_named_regions(const RegionTable& table,
+                                             std::span<const RegionId> regions,
+                                             std::span<const std::int64_t> groups,
+                                             const std::map<std::int64_t, std::string>& names,
+                                             const TriangleSoup& mesh) {
+  std::map<RegionId, WrongRegion> wrong;
+  for (std::size_t t = 0; t < regions.size(); ++t) {
+    if (regions[t] == kVoid) continue;
+    const Region& region = table.region(regions[t]);
+    const std::string& group = names.at(groups[t]);
+    if (lower(group) == lower(region.name) || lower(group) == lower(region.material_name)) continue;
+    const auto at = mesh.points[mesh.triangles[t][0]];
+    ++wrong.try_emplace(region.id, WrongRegion{region.name, group, 0, at}).first->second.triangles;
+  }
+  std::vector<WrongRegion> found;
+  for (auto& [id, region] : wrong) found.push_back(std::move(region));
+  return found;
 }
 
 }  // namespace cover::app
