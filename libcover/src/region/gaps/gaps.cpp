@@ -139,10 +139,11 @@ void warn_of_gaps(const Pslg& pslg, const Faces& faces, const SeededFaces& seede
       {Note::Kind::warning, kVoid,
        fmt::format(
            "polygons leave {} between them{}, with an area of {} together, the largest at {}{}: "
-           "where "
-           "a common border is drawn in two ways, let one polygon run on below the other{}",
+           "where a common border is drawn in two ways, let one polygon run on below the other{}",
            counted(where.size(), "thin void"),
-           open == 0 ? std::string() : fmt::format(", {} of them open at an end", open),
+           open == 0              ? std::string()
+           : open == where.size() ? std::string(", open at an end")
+                                  : fmt::format(", {} of them open at an end", open),
            describe_roughly(area), describe(where.front()),
            meant == 0
                ? std::string()
