@@ -54,6 +54,12 @@ class Cover {
     for (Index s = 0; s < segments_.size(); ++s) {
       for (const Index p : segments_[s]) radius[p] = std::min(radius[p], kShare * lines_[s].to);
     }
+    for (std::size_t e = segments_.size(); e < ends_.size() && is_complete(result); ++e) {
+      const Index p = ends_[e][0];
+      if (radius[p] >= smallest_) continue;
+      result.obstacle = SegmentDisks::Obstacle::too_small;
+      result.crowded = nearest_segment(points_[p]);
+    }
     for (Index s = 0; s < segments_.size() && is_complete(result); ++s) {
       const auto& [a, b] = segments_[s];
       if (std::min(radius[a], radius[b]) < smallest_) {
@@ -76,12 +82,24 @@ class Cover {
   template <class Skip>
   [[nodiscard]] double distance(Point x, double bound, Skip skip) const {
     tree_.visit(x, bound, [&](Index e) {
-      if (skip(e)) return bound;
-      const Element& line = lines_[e];
-      const double t = std::clamp(dot(line.d, x - line.c), line.from, line.to);
-      return bound = std::min(bound, norm(x - (line.c + t * line.d)));
+      if (!skip(e)) bound = std::min(bound, distance_to(x, e));
+      return bound;
     });
     return bound;
+  }
+
+  [[nodiscard]] double distance_to(Point x, Index e) const {
+    const Element& line = lines_[e];
+    const double t = std::clamp(dot(line.d, x - line.c), line.from, line.to);
+    return norm(x - (line.c + t * line.d));
+  }
+
+  /// REQUIRES: there is one
+  [[nodiscard]] Index nearest_segment(Point x) const {
+    Index nearest = 0;
+    for (Index s = 1; s < segments_.size(); ++s)
+      if (distance_to(x, s) < distance_to(x, nearest)) nearest = s;
+    return nearest;
   }
 
   /// Covers the piece [from, to] of segment `s`.

@@ -24,7 +24,7 @@ struct SegmentDisks {
   /// Why it is not complete: more than `most` disks would be needed, or one that is too small.
   enum class Obstacle { none, too_many, too_small };
   Obstacle obstacle = Obstacle::none;
-  std::size_t crowded = 0;  ///< then: the segment that was being covered
+  std::size_t crowded = 0;  ///< then: the segment that was being covered, or nearest to a point
 };
 
 /// Covers every segment by disks centred on it. Consecutive disks touch, no others meet. No disk

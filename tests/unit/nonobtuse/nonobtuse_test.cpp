@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <vector>
 
 #include <cover/cover_mesh.hpp>
 #include <cover/option_ranges.hpp>
@@ -64,6 +65,19 @@ TEST(Nonobtuse, RefusesDisksThatCoordinatesCannotHold) {
   EXPECT_NE(refused.error().message.find("rounded coordinates cannot hold"), std::string::npos)
       << refused.error().message;
   EXPECT_EQ(refused.error().where, std::vector<Point>({{0, 8}, {0, 0}}));
+}
+
+TEST(Nonobtuse, RefusesPointsThatLieOnASegmentUpToRounding) {
+  // No segment ends in the last point.
+  for (const double x : {1e-16, 1e-320}) {
+    const Input input =
+        testing::segments_between({{0, 0}, {8, 0}, {8, 8}, {0, 8}, {16, 0}, {16, 8}, {x, 3}},
+                                  {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {1, 4}, {4, 5}, {5, 2}});
+    const Result<Output> output = cover_mesh(input, nonobtuse());
+    ASSERT_FALSE(output);
+    EXPECT_EQ(output.error().code, ErrorCode::meshing_incomplete);
+    EXPECT_EQ(output.error().where, (std::vector<Point>{{0, 8}, {0, 0}}));
+  }
 }
 
 TEST(Nonobtuse, OneRegionIsPackedForItself) {
