@@ -93,6 +93,13 @@ std::string voids_of(const StoredMesh& stored, const std::vector<std::string>& n
   return found;
 }
 
+/// What squares() takes, of rows in which voids have numbers.
+std::vector<std::string> without_digits(std::vector<std::string> rows) {
+  for (std::string& row : rows)
+    for (char& c : row) c = std::isdigit(c) != 0 ? '.' : c;
+  return rows;
+}
+
 TEST(Rebuild, PutsAPlaceInsideEveryVoid) {
   EXPECT_TRUE(rebuild(two_squares())->table.void_seeds.empty());
   // One with an island that has a void itself, two that meet in a point, and a bay.
@@ -107,11 +114,8 @@ TEST(Rebuild, PutsAPlaceInsideEveryVoid) {
       "######4###",  //
       "##########",
   };
-  std::vector<std::string> rows = names;
-  for (std::string& row : rows)
-    for (char& c : row) c = c == '#' ? c : '.';
-  EXPECT_EQ(voids_of(squares(rows), names), "1234");
-  EXPECT_EQ(voids_of(squares(rows, true), names), "1234");
+  EXPECT_EQ(voids_of(squares(without_digits(names)), names), "1234");
+  EXPECT_EQ(voids_of(squares(without_digits(names), true), names), "1234");
 }
 
 TEST(Rebuild, EdgesOnOneAnotherEncloseNoVoid) {
@@ -124,10 +128,7 @@ TEST(Rebuild, EdgesOnOneAnotherEncloseNoVoid) {
       "B3BBBB",  //
       "BBBBBB",
   };
-  std::vector<std::string> rows = names;
-  for (std::string& row : rows)
-    for (char& c : row) c = std::isdigit(c) != 0 ? '.' : c;
-  std::string found = voids_of(squares(rows), names);
+  std::string found = voids_of(squares(without_digits(names)), names);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_TRUE(found[0] == '1' || found[0] == '2');
   EXPECT_EQ(found[1], '3');

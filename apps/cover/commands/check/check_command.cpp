@@ -353,7 +353,8 @@ int check_whole(const CheckCommand& command, const std::string& mesh_path,
   const RoundedPoints rounded = restore_digits(mesh_path, prepared.pslg, mesh.soup);
   fmt::print("{}", rounded_text(rounded));
   VerifyOptions verify = command.verify;
-  const std::vector<std::int64_t> groups = mesh.soup.material;  // where it has no materials
+  const std::vector<std::int64_t> groups =
+      mesh.has_materials ? std::vector<std::int64_t>() : mesh.soup.material;
   const bool has_names =
       !mesh.has_materials && take_materials_by_name(prepared.table, mesh.group_names, mesh.soup);
   verify.material_numbers = mesh.has_materials || has_names;

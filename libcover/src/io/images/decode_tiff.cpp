@@ -123,7 +123,7 @@ class TiffDecoder {
   }
 
   /// Pictures from the one on whose directory is at `at`, up to one that is damaged. Smaller copies
-  /// of others do not count.
+  /// of others do not count. Cost: O(n log n), since no file has room for more entries.
   std::size_t count_pictures(std::uint64_t at) const {
     constexpr std::size_t kKind = 254, kEntry = 12;
     const auto number = [&](std::uint64_t from, std::size_t bytes) {
@@ -132,13 +132,16 @@ class TiffDecoder {
                  : 0;
     };
     std::set<std::uint64_t> seen;
-    std::size_t count = 0;
+    std::size_t count = 0, room = data_.size() / kEntry;
     for (; at != 0 && seen.insert(at).second; at = number(at + 2 + number(at, 2) * kEntry, 4)) {
+      const std::uint64_t entries = number(at, 2);
+      if (entries > room) break;
+      room -= entries;
       bool is_copy = false;
-      for (std::uint64_t k = 0; k < number(at, 2); ++k)
+      for (std::uint64_t k = 0; k < entries; ++k)
         if (const std::uint64_t entry = at + 2 + k * kEntry; number(entry, 2) == kKind)
           is_copy = number(entry + 8, number(entry + 2, 2) == 3 ? 2 : 4) % 2 == 1;
-      if (number(at, 2) > 0 && !is_copy) ++count;
+      if (entries > 0 && !is_copy) ++count;
     }
     return count;
   }

@@ -401,6 +401,8 @@ TEST(DecodeTiff, FurtherPicturesAreCounted) {
   EXPECT_EQ(with_next(entry(256, 9))->pictures, 2U);
   EXPECT_EQ(with_next(entry(254, 1))->pictures, 1U);
   EXPECT_EQ(with_next(entry(254, 2))->pictures, 2U);
+  // Directories that overlap, more than there is room for: the rest is not looked at.
+  EXPECT_EQ(with_next(bytes_of(60000, 2, false))->pictures, 1U);
   std::string circle = one;
   circle.replace(circle.size() - 4, 4, one.substr(4, 4));
   EXPECT_EQ(decode_tiff(circle, "t")->pictures, 1U);
