@@ -123,7 +123,8 @@ class TiffDecoder {
   }
 
   /// Pictures from the one on whose directory is at `at`, up to one that is damaged. Smaller copies
-  /// of others do not count. Cost: O(n log n), since no file has room for more entries.
+  /// of others do not count. Directories may overlap in a damaged file: entries are looked at as
+  /// many as it has room for.
   std::size_t count_pictures(std::uint64_t at) const {
     constexpr std::size_t kKind = 254, kEntry = 12;
     const auto number = [&](std::uint64_t from, std::size_t bytes) {
