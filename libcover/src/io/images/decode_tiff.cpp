@@ -95,22 +95,11 @@ class TiffDecoder {
   }
 
  private:
-  enum Tag : std::uint64_t {
-    kWidth = 256,
-    kHeight = 257,
-    kBits = 258,
-    kCompression = 259,
-    kPhotometric = 262,
-    kStripOffsets = 273,
-    kSamples = 277,
-    kRowsPerStrip = 278,
-    kStripBytes = 279,
-    kPlanar = 284,
-    kPredictor = 317,
-    kColourMap = 320,
-    kTileWidth = 322,
-    kSampleFormat = 339
-  };
+  using Tag = std::uint64_t;
+  static constexpr Tag kWidth = 256, kHeight = 257, kBits = 258, kCompression = 259,
+                       kPhotometric = 262, kStripOffsets = 273, kSamples = 277, kRowsPerStrip = 278,
+                       kStripBytes = 279, kPlanar = 284, kPredictor = 317, kColourMap = 320,
+                       kTileWidth = 322, kSampleFormat = 339;
 
   void fail(ErrorCode code, const std::string& what) {
     if (!error_) error_ = Error{code, fmt::format("{}: {}", source_, what), {}, {}};
