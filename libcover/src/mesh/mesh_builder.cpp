@@ -28,6 +28,8 @@ using Vertex = TriMesh::VertexHandle;
 
 namespace {
 
+constexpr std::size_t kWord = 64;
+
 Vertex vertex(std::uint32_t v) { return Vertex(static_cast<int>(v)); }
 
 /// Of numbers that several threads have.
@@ -68,17 +70,23 @@ MeshBuilder::MeshBuilder(std::span<const Point> points, std::span<const IndexTri
     : points_(points),
       triangles_(triangles),
       half_edge_(opposite_half_edges(points.size(), triangles, team)) {
-  number_half_edges(team);
+  count_edges(team);
 }
 
-Mesh MeshBuilder::build(const Team& team) const {
+Mesh MeshBuilder::build(const Team& team) {
   Mesh mesh;
   TriMesh& tri = mesh.tri();
-  tri.resize(points_.size(), edges_, triangles_.size());
-  std::vector<std::uint32_t> last_of(points_.size(), 0);
-  team.each_range(triangles_.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
-    set_faces(first, last, last_of, tri);
+  std::vector<std::uint32_t> last_of;
+  team.each(2, [&](std::size_t k) {
+    if (k == 0) {
+      tri.resize(points_.size(), edges_before_.back(), triangles_.size());  // OpenMesh does it alone
+    } else {
+      number_half_edges(team);
+      last_of = last_half_edges(team);
+    }
   });
+  team.each_range(triangles_.size(), kItemsAtATime,
+                  [&](std::size_t first, std::size_t last) { set_faces(first, last, tri); });
   team.each_range(points_.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (auto v = static_cast<std::uint32_t>(first); v < last; ++v) {
       tri.set_point(vertex(v), TriMesh::Point(points_[v].x, points_[v].y, 0));
@@ -89,33 +97,34 @@ Mesh MeshBuilder::build(const Team& team) const {
   return mesh;
 }
 
-/// In place of their opposites. The first half-edge of an edge, in the order of the faces, counts;
-/// it is not looked at again where the other one takes its number.
-void MeshBuilder::number_half_edges(const Team& team) {
-  constexpr std::size_t kWord = 64;
+/// The first half-edge of an edge, in the order of the faces, counts; the other one is marked.
+void MeshBuilder::count_edges(const Team& team) {
   static_assert(kItemsAtATime % kWord == 0);  // so that threads share no word
-  std::vector<std::uint64_t> is_second(Team::ranges(half_edge_.size(), kWord), 0);
-  const std::size_t ranges = Team::ranges(half_edge_.size(), kItemsAtATime);
-  std::vector<std::uint32_t> edges_before(ranges + 1, 0);
-  std::vector<std::vector<std::uint32_t>> boundary(ranges);
+  is_second_.assign(Team::ranges(half_edge_.size(), kWord), 0);
+  edges_before_.assign(Team::ranges(half_edge_.size(), kItemsAtATime) + 1, 0);
   team.each_range(half_edge_.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     std::uint32_t own = 0;
     for (std::size_t h = first; h < last; ++h) {
       if (half_edge_[h] < h) {
-        is_second[h / kWord] |= std::uint64_t{1} << (h % kWord);
+        is_second_[h / kWord] |= std::uint64_t{1} << (h % kWord);
       } else {
         ++own;
       }
     }
-    edges_before[first / kItemsAtATime + 1] = own;
+    edges_before_[first / kItemsAtATime + 1] = own;
   });
-  for (std::size_t k = 1; k <= ranges; ++k) edges_before[k] += edges_before[k - 1];
-  edges_ = edges_before.back();
+  for (std::size_t k = 1; k < edges_before_.size(); ++k) edges_before_[k] += edges_before_[k - 1];
+}
+
+/// In place of their opposites. A first half-edge is not looked at again where the other one takes
+/// its number.
+void MeshBuilder::number_half_edges(const Team& team) {
+  std::vector<std::vector<std::uint32_t>> boundary(edges_before_.size() - 1);
   const auto is_first = [&](std::size_t h) {
-    return (is_second[h / kWord] >> (h % kWord) & 1) == 0;
+    return (is_second_[h / kWord] >> (h % kWord) & 1) == 0;
   };
   team.each_range(half_edge_.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
-    std::uint32_t next = 2 * edges_before[first / kItemsAtATime];
+    std::uint32_t next = 2 * edges_before_[first / kItemsAtATime];
     for (std::size_t h = first; h < last; ++h) {
       if (!is_first(h)) continue;
       if (std::exchange(half_edge_[h], next) == kNone)
@@ -131,10 +140,18 @@ void MeshBuilder::number_half_edges(const Team& team) {
   for (const auto& some : boundary) boundary_.insert(boundary_.end(), some.begin(), some.end());
 }
 
-/// The faces and their half-edges; `last_of` has, for each vertex, one more than the last half-edge
-/// that leaves it.
-void MeshBuilder::set_faces(std::size_t first, std::size_t last, std::span<std::uint32_t> last_of,
-                            TriMesh& tri) const {
+/// For each vertex one more than the last half-edge that leaves it.
+std::vector<std::uint32_t> MeshBuilder::last_half_edges(const Team& team) const {
+  std::vector<std::uint32_t> last_of(points_.size(), 0);
+  team.each_range(triangles_.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
+    for (auto t = static_cast<std::uint32_t>(first); t < last; ++t)
+      for (const Corner i : kCorners) keep_larger(3 * t + i + 1, last_of[triangles_[t][i]]);
+  });
+  return last_of;
+}
+
+/// The faces and their half-edges.
+void MeshBuilder::set_faces(std::size_t first, std::size_t last, TriMesh& tri) const {
   for (auto t = static_cast<std::uint32_t>(first); t < last; ++t) {
     const TriMesh::FaceHandle face(static_cast<int>(t));
     for (const Corner i : kCorners) {
@@ -143,7 +160,6 @@ void MeshBuilder::set_faces(std::size_t first, std::size_t last, std::span<std::
       tri.set_face_handle(edge, face);
       tri.set_next_halfedge_handle(edge, halfedge(3 * t + i.next()));
       if (i == 0) tri.set_halfedge_handle(face, edge);  // keeps the order of the corners
-      keep_larger(3 * t + i + 1, last_of[triangles_[t][i]]);
     }
   }
 }

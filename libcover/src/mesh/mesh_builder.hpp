@@ -24,9 +24,10 @@ class MeshBuilder {
   /// The mesh: vertices and faces in the order given, edges in the order in which faces have them.
   /// A vertex may have several fans of triangles with void between.
   ///
-  [[nodiscard]] Mesh build(const Team& team = {}) const;
+  /// REQUIRES: was not called before
+  [[nodiscard]] Mesh build(const Team& team = {});
 
-  /// The edge of half-edge `h` (numbered as in HalfEdges) in what build() makes.
+  /// The edge of half-edge `h` (numbered as in HalfEdges) in what build() has made.
   [[nodiscard]] TriMesh::EdgeHandle edge_of(std::uint32_t h) const {
     return TriMesh::s_edge_handle(halfedge(h));
   }
@@ -37,18 +38,20 @@ class MeshBuilder {
   [[nodiscard]] TriMesh::HalfedgeHandle halfedge(std::uint32_t h) const {
     return TriMesh::HalfedgeHandle(static_cast<int>(half_edge_[h]));
   }
+  void count_edges(const Team& team);
   void number_half_edges(const Team& team);
-  void set_faces(std::size_t first, std::size_t last, std::span<std::uint32_t> last_of,
-                 TriMesh& tri) const;
+  [[nodiscard]] std::vector<std::uint32_t> last_half_edges(const Team& team) const;
+  void set_faces(std::size_t first, std::size_t last, TriMesh& tri) const;
   void set_boundary(const Team& team, TriMesh& tri) const;
   static Fan fan_from(const TriMesh& tri, TriMesh::HalfedgeHandle first);
   void sort_by_direction(std::span<Fan> fans) const;
 
   std::span<const Point> points_;
   std::span<const IndexTriple> triangles_;
-  std::vector<std::uint32_t> half_edge_;  ///< OpenMesh's, by ours
-  std::vector<std::uint32_t> boundary_;   ///< of OpenMesh's those whose opposite has no face
-  std::size_t edges_ = 0;
+  std::vector<std::uint32_t> half_edge_;     ///< OpenMesh's, by ours; at first the opposite
+  std::vector<std::uint64_t> is_second_;     ///< a bit by half-edge: of its edge
+  std::vector<std::uint32_t> edges_before_;  ///< by range of half-edges; at last all
+  std::vector<std::uint32_t> boundary_;      ///< of OpenMesh's those whose opposite has no face
 };
 
 }  // namespace cover

@@ -168,14 +168,14 @@ TEST(FindEdges, IsTheSameForAnyNumberOfThreads) {
 
 TEST(MeshBuilder, BuildsTheSameForAnyNumberOfThreads) {
   const Chessboard board(301);
-  const MeshBuilder builder(board.points, board.triangles);
+  MeshBuilder builder(board.points, board.triangles);
   const Mesh alone = builder.build();
   const TriMesh& tri = alone.tri();
   for (const auto h : tri.halfedges())
     ASSERT_EQ(tri.prev_halfedge_handle(tri.next_halfedge_handle(h)), h);
   for (const unsigned workers : {2U, 3U, 7U}) {
     with_team(workers, [&](const Team& team) {
-      const MeshBuilder divided(board.points, board.triangles, team);
+      MeshBuilder divided(board.points, board.triangles, team);
       const Mesh mesh = divided.build(team);
       ASSERT_EQ(mesh.tri().n_edges(), tri.n_edges());
       for (const auto h : tri.halfedges()) {
