@@ -28,7 +28,7 @@ constexpr double kSpacings = 4;  ///< of coordinates, beyond a right angle that 
 
 class Easer {
  public:
-  Easer(std::span<const FollowedVertex> pairs, const ConformingMesh& mesh)
+  Easer(std::span<const FollowedVertex> pairs, const JoinedMesh& mesh)
       : mesh_(mesh),
         points_(mesh.points),
         follower_(points_.size(), kNone),
@@ -42,7 +42,7 @@ class Easer {
       right_at_first_[pair.first] = pair.right_at_first;
     }
     std::vector<IndexPair> pieces;
-    for (const ConformingMesh::Piece& piece : mesh.pieces)
+    for (const JoinedMesh::Piece& piece : mesh.pieces)
       pieces.push_back({std::min(piece.a, piece.b), std::max(piece.a, piece.b)});
     std::sort(pieces.begin(), pieces.end());
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -107,7 +107,7 @@ class Easer {
   /// `gradient` of g by the place of `v`, for what moves it.
   void add(std::uint32_t v, Vector gradient, std::vector<Mover>& movers) const {
     if (!is_on_line(v)) {
-      if (mesh_.line[v] == ConformingMesh::kInside) movers.push_back({v, gradient});
+      if (mesh_.line[v] == JoinedMesh::kInside) movers.push_back({v, gradient});
       return;
     }
     double by = dot(gradient, direction(v));
@@ -191,7 +191,7 @@ class Easer {
     }
   }
 
-  const ConformingMesh& mesh_;
+  const JoinedMesh& mesh_;
   std::vector<Point> points_;
   std::vector<std::uint32_t> follower_, leader_;
   std::vector<bool> right_at_first_;
@@ -210,7 +210,7 @@ Point straight_across(Point p, Vector along, Point a, Point b) {
   return at_part(a, b, dot(p - a, along) / dot(b - a, along));
 }
 
-bool ease(std::span<const FollowedVertex> pairs, ConformingMesh& mesh) {
+bool ease(std::span<const FollowedVertex> pairs, JoinedMesh& mesh) {
   Easer easer(pairs, mesh);
   easer.run();
   if (!easer.is_sound()) return false;

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "geom/vector.hpp"
-#include "mend/conforming_mesh.hpp"
+#include "mend/joined_mesh.hpp"
 
 namespace cover {
 
@@ -25,6 +25,6 @@ Point straight_across(Point p, Vector along, Point a, Point b);
 /// ENSURES: the same mesh for the same input, whatever the machine
 /// Returns: false, and nothing has changed, if a triangle would turn over
 /// Cost:    at most 1,000 moves for each triangle
-bool ease(std::span<const FollowedVertex> pairs, ConformingMesh& mesh);
+bool ease(std::span<const FollowedVertex> pairs, JoinedMesh& mesh);
 
 }  // namespace cover

@@ -19,7 +19,7 @@ namespace cover {
 namespace {
 
 constexpr double kCannotBe = kInfinity;
-constexpr std::uint32_t kOnNoLine = ConformingMesh::kInside;
+constexpr std::uint32_t kOnNoLine = JoinedMesh::kInside;
 constexpr std::size_t kMostInHole = 96;   ///< triangles: larger ones are left alone
 constexpr std::size_t kMostCorners = 40;  ///< of a hole that a vertex leaves
 constexpr std::uint32_t kMostSteps = 64;  ///< of a walk
@@ -44,7 +44,7 @@ bool is_clearly_blunt(const std::array<Point, 3>& p, double blunt, double sharp,
 
 }  // namespace
 
-MeshWithUndo::MeshWithUndo(const ConformingMesh& mesh, std::vector<WantedAngles> angles)
+MeshWithUndo::MeshWithUndo(const JoinedMesh& mesh, std::vector<WantedAngles> angles)
     : angles_(std::move(angles)), lines_(mesh.lines) {
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
     vertices_.push_back({mesh.points[v], mesh.line[v], kNone});
@@ -58,7 +58,7 @@ MeshWithUndo::MeshWithUndo(const ConformingMesh& mesh, std::vector<WantedAngles>
   keep();
 }
 
-void MeshWithUndo::link_all(const ConformingMesh& mesh) {
+void MeshWithUndo::link_all(const JoinedMesh& mesh) {
   const std::vector<std::uint32_t> across = opposite_half_edges(mesh.points.size(), mesh.triangles);
   const HalfEdges edges(mesh.points.size(), mesh.triangles);
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
@@ -562,13 +562,13 @@ bool MeshWithUndo::remove(std::uint32_t v) {
   return true;
 }
 
-ConformingMesh MeshWithUndo::result(const ConformingMesh& before) const {
-  ConformingMesh mesh;
+JoinedMesh MeshWithUndo::result(const JoinedMesh& before) const {
+  JoinedMesh mesh;
   mesh.lines = before.lines;
   std::vector<std::uint32_t> number(vertices_.size(), kNone);
   for (std::size_t v = 0; v < vertices_.size(); ++v) {
     // Points that touch nothing stay.
-    const bool was_there = v < before.points.size() && before.line[v] == ConformingMesh::kFixed;
+    const bool was_there = v < before.points.size() && before.line[v] == JoinedMesh::kFixed;
     if (vertices_[v].home == kNone && !was_there) continue;
     number[v] = static_cast<std::uint32_t>(mesh.points.size());
     mesh.points.push_back(vertices_[v].at);

@@ -11,7 +11,7 @@
 #include "base/numbers.hpp"
 #include "cdt/search/delaunay_cavity.hpp"
 #include "geom/topology/corner.hpp"
-#include "mend/conforming_mesh.hpp"
+#include "mend/joined_mesh.hpp"
 
 namespace cover {
 
@@ -51,17 +51,17 @@ class MeshWithUndo {
   /// `angles`: by region.
   /// REQUIRES: every edge with one triangle, or with triangles of two regions none of which is
   ///           closed, is a piece
-  MeshWithUndo(const ConformingMesh& mesh, std::vector<WantedAngles> angles);
+  MeshWithUndo(const JoinedMesh& mesh, std::vector<WantedAngles> angles);
 
   struct Vertex {
     Point at;
-    std::uint32_t line = ConformingMesh::kInside;
+    std::uint32_t line = JoinedMesh::kInside;
     std::uint32_t home = kNone;  ///< one of its triangles; kNone: not there
   };
   struct Triangle {
     std::array<std::uint32_t, 3> v{kNone, kNone, kNone};  ///< v[0] is kNone: not there
     std::array<std::uint32_t, 3> n{kNone, kNone, kNone};  ///< across the edge opposite to v
-    std::array<std::uint32_t, 3> line{};  ///< of that edge; ConformingMesh::kInside: none
+    std::array<std::uint32_t, 3> line{};  ///< of that edge; JoinedMesh::kInside: none
     std::uint32_t region = 0;
     float cost = 0;  ///< 0: not bad
   };
@@ -71,10 +71,10 @@ class MeshWithUndo {
   [[nodiscard]] Point at(std::uint32_t v) const { return vertices_[v].at; }
   [[nodiscard]] bool is_there(std::uint32_t v) const { return vertices_[v].home != kNone; }
   [[nodiscard]] bool is_movable(std::uint32_t v) const {
-    return vertices_[v].line != ConformingMesh::kFixed && !only_goes(v);
+    return vertices_[v].line != JoinedMesh::kFixed && !only_goes(v);
   }
   [[nodiscard]] bool only_goes(std::uint32_t v) const {
-    return vertices_[v].line == ConformingMesh::kMayGo;
+    return vertices_[v].line == JoinedMesh::kMayGo;
   }
   [[nodiscard]] const std::vector<StraightLine>& lines() const { return lines_; }
 
@@ -115,7 +115,7 @@ class MeshWithUndo {
   std::uint32_t insert(const Spot& spot, std::uint32_t v = kNone);
 
   /// The mesh as it is; vertices keep their order.
-  [[nodiscard]] ConformingMesh result(const ConformingMesh& before) const;
+  [[nodiscard]] JoinedMesh result(const JoinedMesh& before) const;
 
  private:
   struct Written {
@@ -132,7 +132,7 @@ class MeshWithUndo {
     std::uint32_t beyond, line;  ///< of the edge to the next corner
   };
 
-  void link_all(const ConformingMesh& mesh);
+  void link_all(const JoinedMesh& mesh);
   void make_delaunay();
   [[nodiscard]] double cost_of(const std::array<Point, 3>& p, const std::array<bool, 3>& is_piece,
                                std::uint32_t region) const;

@@ -28,7 +28,7 @@ void PlaceSearch::add_one(std::uint32_t t, std::span<const Point> starts, Vertex
   try_all(all, t, kNone, best);
   const MeshWithUndo::Triangle now = mesh_.triangles()[t];
   for (const Corner i : kCorners) {
-    if (now.line[i] != ConformingMesh::kInside)
+    if (now.line[i] != JoinedMesh::kInside)
       improve(mesh_.on_line(mesh_.at(now.v[i]), t, i), kNone, best);
   }
 }
@@ -46,7 +46,7 @@ void PlaceSearch::move_one(std::uint32_t t, std::span<const std::uint32_t> stays
     if (mesh_.remove(u)) {
       starts[0] = old.at;
       const std::uint32_t from = a_triangle_written_since(mark);
-      if (old.line == ConformingMesh::kInside) {
+      if (old.line == JoinedMesh::kInside) {
         try_all(starts, from, u, best);
       } else {
         try_on_line(starts, old.line, mark, u, best);

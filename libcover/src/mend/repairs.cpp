@@ -52,7 +52,7 @@ std::optional<Corner> Repairs::corner_over_a_piece(std::uint32_t t) const {
   for (const Corner i : kCorners) {
     const Point apex = mesh_.at(triangle.v[i]), a = mesh_.at(triangle.v[i.next()]),
                 b = mesh_.at(triangle.v[i.previous()]);
-    if (triangle.line[i] != ConformingMesh::kInside && dot(a - apex, b - apex) < 0) return i;
+    if (triangle.line[i] != JoinedMesh::kInside && dot(a - apex, b - apex) < 0) return i;
   }
   return std::nullopt;
 }
@@ -146,7 +146,7 @@ bool Repairs::is_near_a_movable(std::uint32_t t) const {
     for (const Corner i : kCorners) {
       if (mesh_.is_movable(triangle.v[i])) return true;
       const bool is_wall =
-          triangle.line[i] != ConformingMesh::kInside && triangle.line[i] >= mesh_.lines().size();
+          triangle.line[i] != JoinedMesh::kInside && triangle.line[i] >= mesh_.lines().size();
       const std::uint32_t n = triangle.n[i];
       if (n != kNone && !is_wall && std::find(seen.begin(), seen.end(), n) == seen.end())
         seen.push_back(n);

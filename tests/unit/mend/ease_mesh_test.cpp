@@ -7,7 +7,7 @@
 namespace cover {
 namespace {
 
-std::size_t obtuse(const ConformingMesh& mesh) {
+std::size_t obtuse(const JoinedMesh& mesh) {
   std::size_t count = 0;
   for (const auto& [a, b, c] : mesh.triangles)
     count += bluntness_of(mesh.points[a], mesh.points[b], mesh.points[c]) == Blunt::yes ? 1 : 0;
@@ -16,12 +16,11 @@ std::size_t obtuse(const ConformingMesh& mesh) {
 
 /// Two squares with the corner between them, on the lower line, moved to the right by `off`: its
 /// edge up is at no right angle to the line then. The upper corner is inside.
-ConformingMesh two_squares(double off) {
-  ConformingMesh mesh;
+JoinedMesh two_squares(double off) {
+  JoinedMesh mesh;
   mesh.points = {{0, 0}, {1 + off, 0}, {2, 0}, {0, 1}, {1, 1}, {2, 1}};
-  mesh.line = {ConformingMesh::kFixed,  0,
-               ConformingMesh::kFixed,  ConformingMesh::kFixed,
-               ConformingMesh::kInside, ConformingMesh::kFixed};
+  mesh.line = {JoinedMesh::kFixed, 0, JoinedMesh::kFixed, JoinedMesh::kFixed, JoinedMesh::kInside,
+               JoinedMesh::kFixed};
   mesh.lines = {{{0, 0}, {2, 0}}};
   mesh.pieces = {{0, 1, 0}, {1, 2, 0}};
   mesh.triangles = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}};
@@ -30,7 +29,7 @@ ConformingMesh two_squares(double off) {
 }
 
 TEST(EaseMesh, WhatIsObtuseByLittleIsMadeRight) {
-  ConformingMesh mesh = two_squares(-1e-4);
+  JoinedMesh mesh = two_squares(-1e-4);
   ASSERT_GT(obtuse(mesh), 0u);
   const std::vector<Point> before = mesh.points;
   ASSERT_TRUE(ease({}, mesh));
@@ -42,7 +41,7 @@ TEST(EaseMesh, WhatIsObtuseByLittleIsMadeRight) {
 }
 
 TEST(EaseMesh, WhatIsFarFromRightStays) {
-  ConformingMesh mesh = two_squares(-0.3);
+  JoinedMesh mesh = two_squares(-0.3);
   const std::vector<Point> before = mesh.points;
   ASSERT_GT(obtuse(mesh), 0u);
   ease({}, mesh);

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "mend/effort.hpp"
-#include "unit/mend/conforming_meshes.hpp"
+#include "unit/mend/joined_meshes.hpp"
 
 namespace cover {
 namespace {
@@ -13,13 +13,13 @@ namespace {
 TEST(MendMesh, CutsGoThroughAllThinLayersToWhereThereIsRoom) {
   // Sixty layers, a hundred times as long as thick, and a vertex in the middle of the first wall.
   constexpr std::uint32_t kLayers = 60;
-  ConformingMesh before = testing::rectangles(kLayers, 1, 1);
+  JoinedMesh before = testing::rectangles(kLayers, 1, 1);
   for (Point& p : before.points) p.y *= 100;
   for (StraightLine& line : before.lines) line.a.y *= 100, line.b.y *= 100;
   const std::uint32_t middle = static_cast<std::uint32_t>(before.points.size());
   const std::uint32_t low = 0, right = 1, top = kLayers + 1, far = kLayers + 2;
   before.points.push_back({0, 50});
-  before.line.push_back(ConformingMesh::kFixed);
+  before.line.push_back(JoinedMesh::kFixed);
   const auto whole = std::find_if(before.pieces.begin(), before.pieces.end(),
                                   [&](const auto& p) { return p.a == low && p.b == top; });
   ASSERT_NE(whole, before.pieces.end());
@@ -38,7 +38,7 @@ TEST(MendMesh, CutsGoThroughAllThinLayersToWhereThereIsRoom) {
 }
 
 TEST(MendMesh, TheFootMendsAnObtuseCornerOverAPiece) {
-  const ConformingMesh flat = testing::flat_triangle(1);  // 127 degrees at the top
+  const JoinedMesh flat = testing::flat_triangle(1);  // 127 degrees at the top
   MeshWithUndo mesh(flat, {{0}});
   EXPECT_EQ(mesh.grave(), 1U);
   const BadTriangles none = mend_mesh(mesh, {}, 0);  // no places, nothing done
@@ -52,7 +52,7 @@ TEST(MendMesh, TheFootMendsAnObtuseCornerOverAPiece) {
 TEST(MendMesh, ManyThatNothingMendsAreTriedLess) {
   // Flat triangles whose sides stay whole: each vertex inside sees the longest one flat as well.
   const auto spent_on = [](std::size_t count) {
-    ConformingMesh before;
+    JoinedMesh before;
     for (std::uint32_t k = 0; k < count; ++k) {
       const std::uint32_t a = 3 * k, b = a + 1, c = a + 2;
       for (const Point& p : {Point{0, 10.0 * k}, Point{4, 10.0 * k}, Point{2, 10.0 * k + 1}})
@@ -61,7 +61,7 @@ TEST(MendMesh, ManyThatNothingMendsAreTriedLess) {
       before.triangles.push_back({a, b, c});
       before.region.push_back(0);
     }
-    before.line.assign(before.points.size(), ConformingMesh::kFixed);
+    before.line.assign(before.points.size(), JoinedMesh::kFixed);
     MeshWithUndo mesh(before, {{0}});
     constexpr std::uint64_t kPlaces = 100'000'000;
     Repairs repairs(mesh, {kPlaces});

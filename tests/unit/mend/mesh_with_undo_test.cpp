@@ -12,12 +12,12 @@
 namespace cover {
 namespace {
 
-constexpr std::uint32_t kFixedVertices = ConformingMesh::kFixed;
+constexpr std::uint32_t kFixedVertices = JoinedMesh::kFixed;
 
 /// Two squares side by side, with one line between them from (1, 0) to (1, 1); the outer ones stay
 /// whole but for the lowest of the left square.
-ConformingMesh two_squares() {
-  ConformingMesh mesh;
+JoinedMesh two_squares() {
+  JoinedMesh mesh;
   mesh.points = {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}};
   mesh.line.assign(6, kFixedVertices);
   mesh.lines = {{{1, 0}, {1, 1}}, {{0, 0}, {1, 0}}};
@@ -62,7 +62,7 @@ void expect_delaunay(const MeshWithUndo& mesh) {
           static_cast<std::uint32_t>(std::find(o.n.begin(), o.n.end(), k) - o.n.begin());
       EXPECT_EQ(o.line[back], t.line[i]);
       EXPECT_EQ(o.v[back.next()], t.v[i.previous()]);
-      if (t.line[i] == ConformingMesh::kInside) {
+      if (t.line[i] == JoinedMesh::kInside) {
         EXPECT_EQ(o.region, t.region);
         EXPECT_NE(in_circle(a, b, c, mesh.at(o.v[back])), Sign::positive);
       }
@@ -73,7 +73,7 @@ void expect_delaunay(const MeshWithUndo& mesh) {
 
 // Its Delaunay triangulation has an angle of 153 degrees at (0, 0), the other one none above 105.
 TEST(MeshWithUndo, BeginsWithoutFlatTrianglesBeyondTheWorstThatTheMeshDoesNotHave) {
-  ConformingMesh quadrilateral;
+  JoinedMesh quadrilateral;
   quadrilateral.points = {{0, 0}, {10, 0}, {1, 2}, {0, -2}};
   quadrilateral.line.assign(4, kFixedVertices);
   quadrilateral.lines = {{{0, 0}, {1, 2}}};
@@ -94,7 +94,7 @@ TEST(MeshWithUndo, BeginsWithoutFlatTrianglesBeyondTheWorstThatTheMeshDoesNotHav
 
 // The foot of a vertex hardly beside a piece is rounded to its other side.
 TEST(MeshWithUndo, NoVertexIsSwallowedByTheHoleOfAnotherOne) {
-  ConformingMesh start;
+  JoinedMesh start;
   start.points = {{-1.0418561123062906, 10.822590371134186},
                   {-0.3353603415770599, 9.441066097371566},
                   {-0.9917312208258062, 10.724573147013327},
@@ -185,11 +185,11 @@ TEST(MeshWithUndo, CutsBothRegionsAndOnlyLinesThatMayBe) {
   const std::uint32_t v = mesh.insert(between);
   ASSERT_NE(v, kNone);
   EXPECT_EQ(mesh.vertices()[v].line, 0u);
-  const ConformingMesh cut = mesh.result(two_squares());
+  const JoinedMesh cut = mesh.result(two_squares());
   EXPECT_EQ(cut.points.size(), 7u);
   EXPECT_EQ(cut.triangles.size(), 6u);
   std::size_t pieces = 0;
-  for (const ConformingMesh::Piece& piece : cut.pieces) pieces += piece.line == 0 ? 1 : 0;
+  for (const JoinedMesh::Piece& piece : cut.pieces) pieces += piece.line == 0 ? 1 : 0;
   EXPECT_EQ(pieces, 2u);
   // Nothing is cut beyond the ends of a piece.
   for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t) {
@@ -209,7 +209,7 @@ TEST(MeshWithUndo, CutsBothRegionsAndOnlyLinesThatMayBe) {
 }
 
 TEST(MeshWithUndo, CountsWhatIsObtuseAndWhatIsTooSharp) {
-  ConformingMesh mesh;
+  JoinedMesh mesh;
   mesh.points = {{0, 0}, {4, 0}, {1, 1}};
   mesh.line.assign(3, kFixedVertices);
   mesh.pieces = {{0, 1, 7}, {1, 2, 7}, {2, 0, 7}};

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "unit/mend/conforming_meshes.hpp"
+#include "unit/mend/joined_meshes.hpp"
 
 namespace cover {
 namespace {
@@ -35,7 +35,7 @@ TEST(PlaceSearch, ANewVertexIsBestAtTheFootOfAnObtuseCorner) {
 }
 
 TEST(PlaceSearch, AVertexThatSeesASideFlatIsMovedToWhereItSeesNone) {
-  const ConformingMesh hexagon = testing::hexagon_around({0, -1.5});
+  const JoinedMesh hexagon = testing::hexagon_around({0, -1.5});
   MeshWithUndo mesh(hexagon, {{0}});
   const double cost = mesh.cost();
   ASSERT_GT(cost, 0);
@@ -64,7 +64,7 @@ TEST(PlaceSearch, WhatStaysIsNotMoved) {
 
 TEST(PlaceSearch, AVertexOnALineStaysOnIt) {
   // Cut beside the foot of the upper corner: it is moved along the side, and not away from it.
-  ConformingMesh cut = testing::flat_triangle(1);
+  JoinedMesh cut = testing::flat_triangle(1);
   cut.points.push_back({3, 0});
   cut.line.push_back(0);
   cut.pieces[0] = {0, 3, 0};

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "mend/effort.hpp"
-#include "unit/mend/conforming_meshes.hpp"
+#include "unit/mend/joined_meshes.hpp"
 
 namespace cover {
 namespace {
@@ -18,7 +18,7 @@ constexpr std::uint64_t kPlacesForAll = 100'000;
 
 MostBad none_bad() { return {0, 0, kNone, 0}; }
 
-void expect_same(const ConformingMesh& a, const ConformingMesh& b) {
+void expect_same(const JoinedMesh& a, const JoinedMesh& b) {
   EXPECT_EQ(a.points, b.points);
   EXPECT_EQ(a.line, b.line);
   EXPECT_EQ(a.region, b.region);
@@ -34,13 +34,13 @@ void expect_same(const ConformingMesh& a, const ConformingMesh& b) {
 /// A hexagon: without the vertex in its middle, its corners of 120 degrees would be those of
 /// triangles.
 struct Needed {
-  ConformingMesh before = testing::hexagon_around({0, 0});
+  JoinedMesh before = testing::hexagon_around({0, 0});
   MeshWithUndo mesh{before, {{0}}};
   std::uint32_t inside = 6;
 };
 
 TEST(Repairs, AVertexGoesWhereNothingIsWorseWithoutIt) {
-  const ConformingMesh before = testing::rectangles(4, 4, 4);
+  const JoinedMesh before = testing::rectangles(4, 4, 4);
   MeshWithUndo mesh(before, {{0}});
   Repairs repairs(mesh, {kPlacesForAll});
   const std::uint32_t middle = 12;
@@ -51,7 +51,7 @@ TEST(Repairs, AVertexGoesWhereNothingIsWorseWithoutIt) {
 
 TEST(Repairs, AVertexThatIsNeededStaysAndTheMeshIsAsItWas) {
   Needed needed;
-  const ConformingMesh first = needed.mesh.result(needed.before);
+  const JoinedMesh first = needed.mesh.result(needed.before);
   Repairs repairs(needed.mesh, {kPlacesForAll});
   EXPECT_FALSE(repairs.without(needed.inside, MostBad::in(needed.mesh)));
   EXPECT_TRUE(needed.mesh.is_there(needed.inside));
@@ -59,7 +59,7 @@ TEST(Repairs, AVertexThatIsNeededStaysAndTheMeshIsAsItWas) {
 }
 
 TEST(Repairs, WhatCameAboutIsTakenBackUnlessItIsKept) {
-  const ConformingMesh before = testing::rectangles(4, 4, 4);
+  const JoinedMesh before = testing::rectangles(4, 4, 4);
   MeshWithUndo mesh(before, {{0}});
   Repairs repairs(mesh, {kPlacesForAll});
   ASSERT_TRUE(repairs.without(12, MostBad::in(mesh)));
@@ -71,7 +71,7 @@ TEST(Repairs, WhatCameAboutIsTakenBackUnlessItIsKept) {
 }
 
 TEST(Repairs, MoreVerticesMendAnObtuseCorner) {
-  const ConformingMesh flat = testing::flat_triangle(1);
+  const JoinedMesh flat = testing::flat_triangle(1);
   MeshWithUndo mesh(flat, {{0}});
   Repairs repairs(mesh, {kPlacesForAll});
   ASSERT_TRUE(repairs.is_bad(0));
@@ -83,7 +83,7 @@ TEST(Repairs, MoreVerticesMendAnObtuseCorner) {
 }
 
 TEST(Repairs, CutsMendItToo) {
-  const ConformingMesh flat = testing::flat_triangle(1);
+  const JoinedMesh flat = testing::flat_triangle(1);
   MeshWithUndo mesh(flat, {{0}});
   Repairs repairs(mesh, {kPlacesForAll});
   EXPECT_TRUE(repairs.with_cuts(0, none_bad()));
@@ -91,7 +91,7 @@ TEST(Repairs, CutsMendItToo) {
 }
 
 TEST(Repairs, WithoutPlacesNothingIsMendedAndNothingChanges) {
-  const ConformingMesh flat = testing::flat_triangle(1);
+  const JoinedMesh flat = testing::flat_triangle(1);
   MeshWithUndo mesh(flat, {{0}});
   Repairs repairs(mesh, {0});
   EXPECT_FALSE(repairs.with_more_vertices(0, none_bad(), effort::mend::kMostTries));
@@ -103,8 +103,8 @@ TEST(Repairs, WithoutPlacesNothingIsMendedAndNothingChanges) {
 }
 
 TEST(Repairs, NoPlaceIsTriedForOthersWhereNoVertexNearCanBePutElsewhere) {
-  ConformingMesh before = testing::hexagon_around({1.5, 0});
-  before.line[6] = ConformingMesh::kFixed;
+  JoinedMesh before = testing::hexagon_around({1.5, 0});
+  before.line[6] = JoinedMesh::kFixed;
   MeshWithUndo mesh(before, {{0}});
   ASSERT_GT(mesh.bad(), 0U);
   const auto bad = std::find_if(mesh.triangles().begin(), mesh.triangles().end(),
@@ -117,10 +117,9 @@ TEST(Repairs, NoPlaceIsTriedForOthersWhereNoVertexNearCanBePutElsewhere) {
 
 TEST(Repairs, FewerVerticesMendWhatOneOfThemMakesBad) {
   // A right-angled triangle with a vertex next to its longest side, which sees that side flat.
-  ConformingMesh before;
+  JoinedMesh before;
   before.points = {{0, 0}, {4, 0}, {0, 4}, {1.9, 1.9}};
-  before.line = {ConformingMesh::kFixed, ConformingMesh::kFixed, ConformingMesh::kFixed,
-                 ConformingMesh::kInside};
+  before.line = {JoinedMesh::kFixed, JoinedMesh::kFixed, JoinedMesh::kFixed, JoinedMesh::kInside};
   before.pieces = {{0, 1, 0}, {1, 2, 1}, {2, 0, 2}};
   before.triangles = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
   before.region = {0, 0, 0};
@@ -134,7 +133,7 @@ TEST(Repairs, FewerVerticesMendWhatOneOfThemMakesBad) {
 }
 
 TEST(Repairs, OthersComeInPlaceOfThoseThatGo) {
-  const ConformingMesh before = testing::rectangles(6, 6, 6);
+  const JoinedMesh before = testing::rectangles(6, 6, 6);
   MeshWithUndo mesh(before, {{0}});
   Repairs repairs(mesh, {kPlacesForAll});
   const std::array<std::uint32_t, 2> middle{24, 25};
@@ -150,7 +149,7 @@ TEST(Repairs, OthersComeInPlaceOfThoseThatGo) {
 
 TEST(Repairs, WhereNoOthersWillDoTheOldOnesAreThereAgain) {
   Needed needed;
-  const ConformingMesh first = needed.mesh.result(needed.before);
+  const JoinedMesh first = needed.mesh.result(needed.before);
   Repairs repairs(needed.mesh, {kPlacesForAll});
   EXPECT_FALSE(
       repairs.with_others_in_place_of(std::array{needed.inside}, MostBad::in(needed.mesh), [](int) {
@@ -170,7 +169,7 @@ TEST(Repairs, NobodyAsksForOthersInPlaceOfNone) {
 }
 
 TEST(Repairs, NeighboursComeFirstAndOnlyThoseThatMayMove) {
-  const ConformingMesh before = testing::rectangles(32, 2, 32);
+  const JoinedMesh before = testing::rectangles(32, 2, 32);
   MeshWithUndo mesh(before, {{0}});
   Repairs repairs(mesh, {kPlacesForAll});
   const std::uint32_t middle = 33 + 16;

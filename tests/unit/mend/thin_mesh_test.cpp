@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/mend/conforming_meshes.hpp"
+#include "unit/mend/joined_meshes.hpp"
 
 namespace cover {
 namespace {
 
-constexpr std::uint32_t kFixed = ConformingMesh::kFixed;
+constexpr std::uint32_t kFixed = JoinedMesh::kFixed;
 
-std::size_t movable(const ConformingMesh& mesh) {
+std::size_t movable(const JoinedMesh& mesh) {
   std::size_t count = 0;
   for (const std::uint32_t line : mesh.line) count += line != kFixed ? 1 : 0;
   return count;
@@ -18,19 +18,19 @@ std::size_t movable(const ConformingMesh& mesh) {
 const ThinEffort kEffort{2000, 2'000'000, {10'000, 100'000}};
 
 TEST(ThinMesh, AGridBecomesTwoTrianglesForEachRectangle) {
-  const ConformingMesh before = testing::rectangles(12, 6, 4);
+  const JoinedMesh before = testing::rectangles(12, 6, 4);
   MeshWithUndo mesh(before, std::vector<WantedAngles>(3));
   const BadTriangles bad = thin_mesh(mesh, kEffort);
   EXPECT_EQ(bad.before, 0u);
   EXPECT_EQ(bad.after, 0u);
-  const ConformingMesh after = mesh.result(before);
+  const JoinedMesh after = mesh.result(before);
   EXPECT_EQ(movable(after), 0u);  // cuts went from both sides of the walls
   EXPECT_EQ(after.triangles.size(), 6u);
   EXPECT_EQ(after.pieces.size(), 10u);
 }
 
 TEST(ThinMesh, AnglesThatAreAskedForStay) {
-  const ConformingMesh before = testing::rectangles(32, 2, 32);
+  const JoinedMesh before = testing::rectangles(32, 2, 32);
   MeshWithUndo mesh(before, {{1.01}});  // 44.7 degrees: squares, cut into halves
   EXPECT_EQ(mesh.bad(), 0u);
   thin_mesh(mesh, kEffort);
@@ -43,18 +43,18 @@ TEST(ThinMesh, AnglesThatAreAskedForStay) {
 }
 
 TEST(ThinMesh, ObtuseTrianglesAreMended) {
-  const ConformingMesh flat = testing::flat_triangle(1);  // 127 degrees at the top
+  const JoinedMesh flat = testing::flat_triangle(1);  // 127 degrees at the top
   MeshWithUndo mesh(flat, {{0}});
   const BadTriangles bad = thin_mesh(mesh, kEffort);
   EXPECT_EQ(bad.before, 1u);
   EXPECT_EQ(bad.after, 0u);
-  const ConformingMesh after = mesh.result(flat);
+  const JoinedMesh after = mesh.result(flat);
   ASSERT_EQ(after.points.size(), 4u);  // the foot
   EXPECT_EQ(after.points[3], (Point{2, 0}));
 }
 
 TEST(ThinMesh, WhatIsWorseThanAnyMayBeGoesForWhatIsOnlyBad) {
-  const ConformingMesh flat = testing::flat_triangle(
+  const JoinedMesh flat = testing::flat_triangle(
       0.4);  // 157 degrees at the top, 11 at both ends, which nothing makes larger
   const double cot_of_30 = 1.7320508, cot_of_120 = -0.5773503;
   MeshWithUndo mesh(flat, {{cot_of_30, 0, false, cot_of_120}});
@@ -68,7 +68,7 @@ TEST(ThinMesh, WhatIsWorseThanAnyMayBeGoesForWhatIsOnlyBad) {
 }
 
 TEST(ThinMesh, MoreEffortIsNotWorse) {
-  const ConformingMesh before = testing::rectangles(9, 9, 3);
+  const JoinedMesh before = testing::rectangles(9, 9, 3);
   std::size_t last = movable(before);
   for (const std::uint64_t places : {1U, 20U, 500U}) {
     MeshWithUndo mesh(before, std::vector<WantedAngles>(3));

@@ -1,7 +1,7 @@
-// All regions become one mesh whose sides know what lies beyond them. Around every triangle that is
-// left, an excerpt over segments is tried: kicks first, then cuts of the segments near by, at the
-// foot of the obtuse corner or half way, each improved and kicked in turn. The best is kept if
-// there are fewer such triangles, or less bad ones. Triangles are taken in the order of their
+// All regions become a joined mesh whose sides know what lies beyond them. Around every triangle
+// that is left, an excerpt over segments is tried: kicks first, then cuts of the segments near by,
+// at the foot of the obtuse corner or half way, each improved and kicked in turn. The best is kept
+// if there are fewer such triangles, or less bad ones. Triangles are taken in the order of their
 // coordinates, so that the mesh does not depend on the order of the input.
 // Tested by tests/unit/cuts/after_meshing/cut_and_improve_test.cpp.
 #include "cuts/after_meshing/cut_and_improve.hpp"
@@ -97,7 +97,7 @@ bool cut_side(MutableMesh& mesh, std::uint32_t s, std::uint32_t r, std::uint32_t
 /// The search around every triangle that is left.
 class CutSearch {
  public:
-  explicit CutSearch(JoinedRegions& whole) : whole_(whole), goal_(whole.goal()) {}
+  explicit CutSearch(MutableJoinedMesh& whole) : whole_(whole), goal_(whole.goal()) {}
 
   /// Returns how many there were, and what kept it from trying all of them, if something did.
   CutResult run(Budget& budget) {
@@ -203,13 +203,13 @@ class CutSearch {
     return trial;
   }
 
-  JoinedRegions& whole_;
+  MutableJoinedMesh& whole_;
   Goal goal_;
 };
 
 }  // namespace
 
-Result<CutResult> cut_and_improve(Work& work, JoinedRegions& joined, const Options& options,
+Result<CutResult> cut_and_improve(Work& work, MutableJoinedMesh& joined, const Options& options,
                                   Budget& budget) {
   CutResult result = CutSearch(joined).run(budget);
   if (!joined.has_changed() || !joined.is_valid()) return result;

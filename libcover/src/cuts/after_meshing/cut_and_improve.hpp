@@ -6,7 +6,7 @@
 #include <cover/options.hpp>
 #include <cover/result.hpp>
 
-#include "cuts/after_meshing/joined_regions.hpp"
+#include "cuts/after_meshing/mutable_joined_mesh.hpp"
 #include "cuts/work.hpp"
 #include "quality/effort/budget.hpp"
 
@@ -33,7 +33,7 @@ struct CutResult {
 ///           used up or, after the first 15 million evaluations, 150,000 mend none on average (one
 ///           takes 40,000 on maps and Voronoi cells, 400,000 where layers are too thin for any
 ///           mesh)
-Result<CutResult> cut_and_improve(Work& work, JoinedRegions& joined, const Options& options,
+Result<CutResult> cut_and_improve(Work& work, MutableJoinedMesh& joined, const Options& options,
                                   Budget& budget);
 
 }  // namespace cover

@@ -16,7 +16,7 @@
 #include <cover/text.hpp>
 
 #include "cuts/after_meshing/cut_and_improve.hpp"
-#include "cuts/after_meshing/joined_regions.hpp"
+#include "cuts/after_meshing/mutable_joined_mesh.hpp"
 #include "cuts/after_meshing/thin_cuts.hpp"
 #include "cuts/before_meshing/split_interfaces.hpp"
 #include "method/boundaries_with_wishes.hpp"
@@ -74,7 +74,7 @@ constexpr double kHardlyFewer = 0.75;
 struct Trial {
   Work work;
   CutResult left{};
-  std::shared_ptr<JoinedRegions> joined{};  ///< of `work`, which takes long; null: to be made
+  std::shared_ptr<MutableJoinedMesh> joined{};  ///< of `work`, which takes long; null: to be made
 
   [[nodiscard]] std::size_t triangles() const {
     std::size_t sum = 0;
@@ -133,8 +133,8 @@ class Rounds {
            std::min(kEvaluationsPerPoint * points, kMostEvaluations + per_point * points);
   }
 
-  [[nodiscard]] std::shared_ptr<JoinedRegions> joined(const Work& work) const {
-    return std::make_shared<JoinedRegions>(work.pslg, work.boundaries, work.meshes, goal_);
+  [[nodiscard]] std::shared_ptr<MutableJoinedMesh> joined(const Work& work) const {
+    return std::make_shared<MutableJoinedMesh>(work.pslg, work.boundaries, work.meshes, goal_);
   }
 
   Result<bool> cut_further(Trial& trial, std::vector<RegionBoundary>& boundaries,

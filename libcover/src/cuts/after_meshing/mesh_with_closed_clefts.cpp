@@ -12,7 +12,7 @@
 #include "base/faults/errors.hpp"
 #include "cuts/after_meshing/cut_until_met.hpp"
 #include "cuts/after_meshing/effort.hpp"
-#include "cuts/after_meshing/one_mesh.hpp"
+#include "cuts/after_meshing/join_regions.hpp"
 #include "cuts/after_meshing/thin_cuts.hpp"
 #include "cuts/before_meshing/split_interfaces.hpp"
 #include "cuts/clefts/closed_clefts.hpp"
@@ -47,22 +47,21 @@ Status mesh_closed(Work& work, const Options& options, const std::stop_token& st
 }
 
 /// The mesh of closed clefts in one.
-ConformingMesh joined(const ClosedClefts& closed) {
+JoinedMesh joined(const ClosedClefts& closed) {
   Pslg uncut = closed.work.pslg;
   RegionTable table = closed.work.table;
   const United united = unite_pieces(uncut, table, closed.point_before.size());
-  return join(closed.work, uncut, united);
+  return join_regions(closed.work, uncut, united);
 }
 
 /// The same without the obtuse triangles that a few more vertices mend. Points that came before any
 /// region was meshed have the numbers they had, and stay where they are, as ends of clefts need
 /// them there.
-ConformingMesh mended(ConformingMesh mesh, const ClosedClefts& closed,
-                      const std::stop_token& stop) {
+JoinedMesh mended(JoinedMesh mesh, const ClosedClefts& closed, const std::stop_token& stop) {
   const Work& work = closed.work;
   const auto given = static_cast<std::ptrdiff_t>(work.report.input_points);
   const std::vector<std::uint32_t> lines(mesh.line.begin(), mesh.line.begin() + given);
-  std::fill(mesh.line.begin(), mesh.line.begin() + given, ConformingMesh::kFixed);
+  std::fill(mesh.line.begin(), mesh.line.begin() + given, JoinedMesh::kFixed);
   std::vector<std::uint32_t> fixed = sort_by_place(mesh);
   std::erase_if(fixed, [&](std::uint32_t v) { return v >= lines.size(); });
 
@@ -77,7 +76,7 @@ ConformingMesh mended(ConformingMesh mesh, const ClosedClefts& closed,
   auto next = static_cast<std::uint32_t>(lines.size());
   std::vector<std::uint32_t> number;
   for (const std::uint32_t line : mesh.line)
-    number.push_back(line == ConformingMesh::kFixed ? *next_fixed++ : next++);
+    number.push_back(line == JoinedMesh::kFixed ? *next_fixed++ : next++);
   renumber(number, mesh);
   std::copy(lines.begin(), lines.end(), mesh.line.begin());
   return mesh;
@@ -116,7 +115,7 @@ Status mesh_with_closed_clefts(Work& work, const Options& options, const Callbac
     if (!closed) return ok();
     if (Status status = begin_stage("cut", callbacks); !status) return status;
     if (Status status = mesh_closed(closed->work, options, callbacks.stop); !status) return status;
-    const ConformingMesh mesh = joined(*closed);
+    const JoinedMesh mesh = joined(*closed);
     std::optional<OpenedClefts> opened =
         open_clefts(mended(mesh, *closed, callbacks.stop), *closed, whole);
     // What mends may come nearer to a wall than the other one will be.

@@ -1,5 +1,5 @@
-// All regions become one mesh whose vertices may leave the segments that they cut; what is left of
-// it becomes cuts of the whole segments, and meshes of regions, again.
+// All regions become a joined mesh whose vertices may leave the segments that they cut; what is
+// left of it becomes cuts of the whole segments, and meshes of regions, again.
 // Tested by tests/unit/cuts/after_meshing/thin_cuts_test.cpp.
 #include "cuts/after_meshing/thin_cuts.hpp"
 
@@ -20,7 +20,7 @@
 
 #include "base/faults/errors.hpp"
 #include "base/run_all.hpp"
-#include "cuts/after_meshing/one_mesh.hpp"
+#include "cuts/after_meshing/join_regions.hpp"
 #include "cuts/unite_pieces.hpp"
 #include "geom/cotangent.hpp"
 #include "geom/vector.hpp"
@@ -116,7 +116,7 @@ std::vector<WantedAngles> angles_of(const std::vector<RegionMesh>& meshes, const
 
 /// Smaller angles in the regions around triangles that are bad by `angles`, down to a part of those
 /// `asked`: right angles come first.
-std::vector<WantedAngles> angles_for_the_last(const ConformingMesh& mesh, double part,
+std::vector<WantedAngles> angles_for_the_last(const JoinedMesh& mesh, double part,
                                               const std::vector<WantedAngles>& asked,
                                               const std::vector<WantedAngles>& angles) {
   const MeshWithUndo now(mesh, angles);
@@ -135,7 +135,7 @@ std::vector<WantedAngles> angles_for_the_last(const ConformingMesh& mesh, double
 }
 
 /// By region, the cotangent of the smallest angle in `mesh`.
-std::vector<double> smallest_cots(const ConformingMesh& mesh, std::size_t regions) {
+std::vector<double> smallest_cots(const JoinedMesh& mesh, std::size_t regions) {
   std::vector<double> cots(regions, 0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto [i, j, k] = mesh.triangles[t];
@@ -148,7 +148,7 @@ std::vector<double> smallest_cots(const ConformingMesh& mesh, std::size_t region
 }
 
 /// Angles no smaller than those of `mesh`, or than a part of those `asked`.
-void keep_what_is_reached(const ConformingMesh& mesh, const std::vector<WantedAngles>& asked,
+void keep_what_is_reached(const JoinedMesh& mesh, const std::vector<WantedAngles>& asked,
                           std::vector<WantedAngles>& angles) {
   const std::vector<double> cots = smallest_cots(mesh, angles.size());
   for (std::size_t r = 0; r < angles.size(); ++r)
@@ -220,7 +220,7 @@ class Thinning {
   Thinning(const Work& work, const Options& options)
       : work_(work), options_(options), whole_(work) {
     const United united = unite_pieces(whole_.pslg, whole_.table, work.report.input_points);
-    mesh_ = join(work, whole_.pslg, united);
+    mesh_ = join_regions(work, whole_.pslg, united);
     for (const std::uint32_t v : sort_by_place(mesh_)) {
       if (v < united.number.size() && united.number[v] != kNone) fixed_.push_back(united.number[v]);
     }
@@ -239,12 +239,12 @@ class Thinning {
     std::vector<WantedAngles> angles = asked;
     Places places = places_of(options_.effort, mesh_.points.size(), trial.before);
     places.thinning.mending.stop = stop;
-    ConformingMesh start = mesh_;
+    JoinedMesh start = mesh_;
     const std::size_t bad_before = MeshWithUndo(start, angles).bad();
     if (mends_first) angles = angles_after_mending(start, asked, places);
     MeshWithUndo thinning(start, angles);
     std::size_t bad = thin_mesh(thinning, places.thinning).after;
-    ConformingMesh result = thinning.result(start);
+    JoinedMesh result = thinning.result(start);
     for (const Last& last : kLast) {
       if (bad == 0 || bad > last.most) continue;
       MeshWithUndo mending(result, angles_for_the_last(result, last.part, asked, angles));
@@ -261,7 +261,7 @@ class Thinning {
 
  private:
   /// Mends bad triangles of `mesh` in any way. Returns the angles that are kept from then on.
-  static std::vector<WantedAngles> angles_after_mending(ConformingMesh& mesh,
+  static std::vector<WantedAngles> angles_after_mending(JoinedMesh& mesh,
                                                         const std::vector<WantedAngles>& asked,
                                                         const Places& places) {
     const MendEffort effort{kPlacesForTheLast, places.thinning.mending.places_at_most,
@@ -278,7 +278,7 @@ class Thinning {
     return angles;
   }
 
-  void judge(const ConformingMesh& result, ThinTrial& trial) const {
+  void judge(const JoinedMesh& result, ThinTrial& trial) const {
     Work thin = whole_;
     separate(result, fixed_, thin);
     if (!is_sound(thin)) {
@@ -295,7 +295,7 @@ class Thinning {
   const Work& work_;
   const Options& options_;
   Work whole_;  ///< segments are whole
-  ConformingMesh mesh_;
+  JoinedMesh mesh_;
   std::vector<std::uint32_t> fixed_;  ///< by fixed vertex of mesh_: its number in the PSLG
 };
 

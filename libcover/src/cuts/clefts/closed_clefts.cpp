@@ -261,23 +261,22 @@ class Closer {
 };
 
 /// The same mesh with all points of the plane before, which have their numbers again.
-ConformingMesh with_numbers_before(const ConformingMesh& mesh, const ClosedClefts& closed,
-                                   const std::vector<Point>& before) {
+JoinedMesh with_numbers_before(const JoinedMesh& mesh, const ClosedClefts& closed,
+                               const std::vector<Point>& before) {
   const std::vector<std::uint32_t>& was = closed.point_before;
   const std::size_t old = std::max<std::size_t>(before.size(), was.back() + 1);
   const auto number = [&](std::uint32_t v) {
     return v < was.size() ? was[v] : static_cast<std::uint32_t>(v - was.size() + old);
   };
-  ConformingMesh out = mesh;
+  JoinedMesh out = mesh;
   out.points = before;
   out.points.resize(old + mesh.points.size() - was.size());
-  out.line.assign(out.points.size(), ConformingMesh::kFixed);
+  out.line.assign(out.points.size(), JoinedMesh::kFixed);
   for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
     out.points[number(v)] = mesh.points[v];
     out.line[number(v)] = mesh.line[v];
   }
-  for (ConformingMesh::Piece& piece : out.pieces)
-    piece.a = number(piece.a), piece.b = number(piece.b);
+  for (JoinedMesh::Piece& piece : out.pieces) piece.a = number(piece.a), piece.b = number(piece.b);
   for (IndexTriple& t : out.triangles) {
     for (std::uint32_t& v : t) v = number(v);
   }
@@ -286,7 +285,7 @@ ConformingMesh with_numbers_before(const ConformingMesh& mesh, const ClosedCleft
 
 class Opener {
  public:
-  Opener(ConformingMesh mesh, const ClosedClefts& closed, const Prepared& whole)
+  Opener(JoinedMesh mesh, const ClosedClefts& closed, const Prepared& whole)
       : mesh_(std::move(mesh)),
         closed_(closed),
         whole_(whole),
@@ -318,15 +317,15 @@ class Opener {
     for (std::uint32_t v = 0; v < mesh_.points.size(); ++v) {
       std::uint32_t line = mesh_.line[v];
       if (v < pslg.points.size()) {
-        line = ConformingMesh::kFixed;
+        line = JoinedMesh::kFixed;
       } else if (line < closed_.segment_before.size() && closed_.segment_before[line] != kNone) {
         line = closed_.segment_before[line];
       } else {
-        line = ConformingMesh::kInside;
+        line = JoinedMesh::kInside;
       }
       out_.line.push_back(line);
     }
-    for (const ConformingMesh::Piece& piece : mesh_.pieces) {
+    for (const JoinedMesh::Piece& piece : mesh_.pieces) {
       const std::uint32_t was = closed_.segment_before[piece.line];
       if (was == kNone) continue;
       const Segment &before = pslg.segments[was], &now = closed_.segments[piece.line];
@@ -439,21 +438,20 @@ class Opener {
   }
 
   [[nodiscard]] bool is_on_slit(std::uint32_t v) const {
-    return mesh_.line[v] == ConformingMesh::kFixed ||
-           (mesh_.line[v] < closed_.segment_before.size() &&
-            closed_.segment_before[mesh_.line[v]] == kNone);
+    return mesh_.line[v] == JoinedMesh::kFixed || (mesh_.line[v] < closed_.segment_before.size() &&
+                                                   closed_.segment_before[mesh_.line[v]] == kNone);
   }
 
   /// What lies nearly as near to the first wall as the other one will go on before that.
   void move_near(std::uint32_t u, const Cleft& cleft, Vector by) {
-    if (u >= mesh_.points.size() || is_on_slit(u) || out_.line[u] == ConformingMesh::kFixed ||
+    if (u >= mesh_.points.size() || is_on_slit(u) || out_.line[u] == JoinedMesh::kFixed ||
         out_.line[u] == cleft.wall[0].value() || out_.points[u] != mesh_.points[u])
       return;
     const Point a = point_of(whole_.pslg, cleft.end[0].corner[0]),
                 b = point_of(whole_.pslg, cleft.end[1].corner[0]);
     if (std::abs(cross(b - a, mesh_.points[u] - a)) > kNear * length(by) * length(b - a)) return;
     out_.points[u] = mesh_.points[u] + by;
-    if (out_.line[u] == ConformingMesh::kInside) return;
+    if (out_.line[u] == JoinedMesh::kInside) return;
     const auto [c, d] = out_.lines[out_.line[u]];
     out_.points[u] = c + part_on_line(c, d, out_.points[u]) * (d - c);
   }
@@ -485,12 +483,12 @@ class Opener {
     out_.region.resize(out_.triangles.size(), region.value() - 1);
   }
 
-  ConformingMesh mesh_;
+  JoinedMesh mesh_;
   const ClosedClefts& closed_;
   const Prepared& whole_;
   HalfEdges edges_;
   std::vector<std::vector<std::uint32_t>> on_;  ///< by whole segment: vertices that cut it
-  ConformingMesh out_;
+  JoinedMesh out_;
   std::vector<FollowedVertex> pairs_;
 };
 
@@ -500,7 +498,7 @@ std::optional<ClosedClefts> close_clefts(const Prepared& whole, std::span<const 
   return Closer(whole, clefts).closed();
 }
 
-std::optional<OpenedClefts> open_clefts(const ConformingMesh& mesh, const ClosedClefts& closed,
+std::optional<OpenedClefts> open_clefts(const JoinedMesh& mesh, const ClosedClefts& closed,
                                         const Prepared& whole) {
   return Opener(with_numbers_before(mesh, closed, whole.pslg.points), closed, whole).opened();
 }

@@ -8,8 +8,8 @@
 
 #include "cuts/clefts/find_clefts.hpp"
 #include "cuts/work.hpp"
-#include "mend/conforming_mesh.hpp"
 #include "mend/ease_mesh.hpp"
+#include "mend/joined_mesh.hpp"
 
 namespace cover {
 
@@ -31,7 +31,7 @@ struct ClosedClefts {
 
 /// A mesh whose clefts were opened.
 struct OpenedClefts {
-  ConformingMesh mesh;
+  JoinedMesh mesh;
   std::vector<FollowedVertex> pairs;  ///< cuts of a first wall and their feet on the other
 };
 
@@ -50,7 +50,7 @@ std::optional<ClosedClefts> close_clefts(const Prepared& whole, std::span<const 
 /// ENSURES:  points of `whole` have their numbers, others come after them
 /// Returns:  nothing if feet are not in the order of the cuts, or beyond a wall, or if a triangle
 ///           turned over
-std::optional<OpenedClefts> open_clefts(const ConformingMesh& mesh, const ClosedClefts& closed,
+std::optional<OpenedClefts> open_clefts(const JoinedMesh& mesh, const ClosedClefts& closed,
                                         const Prepared& whole);
 
 }  // namespace cover

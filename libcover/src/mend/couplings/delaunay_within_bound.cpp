@@ -25,12 +25,12 @@ namespace {
 constexpr double kSlack = 1 - 1e-9;                  ///< of the cotangent of the largest angle
 constexpr std::uint32_t kOfRest = 0, kOfLayers = 1;  ///< in place of regions
 
-ConformingMesh conforming_mesh_of(const RegionBoundary& boundary, const RegionMesh& mesh) {
-  ConformingMesh out;
+JoinedMesh joined_mesh_of(const RegionBoundary& boundary, const RegionMesh& mesh) {
+  JoinedMesh out;
   out.points = all_points(boundary, mesh);
-  out.line.assign(boundary.points.size(), ConformingMesh::kFixed);
-  out.line.resize(boundary.points.size() + mesh.layer_vertices, ConformingMesh::kMayGo);
-  out.line.resize(out.points.size(), ConformingMesh::kInside);
+  out.line.assign(boundary.points.size(), JoinedMesh::kFixed);
+  out.line.resize(boundary.points.size() + mesh.layer_vertices, JoinedMesh::kMayGo);
+  out.line.resize(out.points.size(), JoinedMesh::kInside);
   for (const auto& [a, b] : boundary.sides) out.pieces.push_back({a, b, 0});
   out.triangles = mesh.triangles;
   out.region.assign(mesh.layer_triangles, kOfLayers);
@@ -53,13 +53,12 @@ std::optional<std::vector<WantedAngles>> wanted_angles(const RegionMesh& mesh) {
 
 /// What has become of `mesh`, if it is better: see mend_couplings_within_bound().
 std::optional<RegionMesh> taken_if_better(const RegionBoundary& boundary, const RegionMesh& mesh,
-                                          const ConformingMesh& before,
-                                          const MeshWithUndo& mending) {
+                                          const JoinedMesh& before, const MeshWithUndo& mending) {
   RegionMesh out;
   const std::size_t own = boundary.points.size();
   for (std::size_t k = 0; k < mesh.layer_vertices; ++k)
     out.layer_vertices += mending.is_there(static_cast<std::uint32_t>(own + k)) ? 1 : 0;
-  const ConformingMesh after = mending.result(before);
+  const JoinedMesh after = mending.result(before);
   out.report = mesh.report;
   out.steiner.assign(after.points.begin() + static_cast<std::ptrdiff_t>(own), after.points.end());
   for (const std::uint32_t part : {kOfLayers, kOfRest}) {
@@ -82,7 +81,7 @@ std::optional<RegionMesh> mend_nearby(const RegionBoundary& boundary, const Regi
                                       const std::stop_token& stop, const CouplingEffort& effort) {
   std::optional<std::vector<WantedAngles>> wanted = wanted_angles(mesh);
   if (!wanted) return {};
-  const ConformingMesh before = conforming_mesh_of(boundary, mesh);
+  const JoinedMesh before = joined_mesh_of(boundary, mesh);
   MeshWithUndo mending(before, *std::move(wanted));
   const std::uint64_t for_sides =
       mesh.layer_triangles == 0 ? effort.places_per_side : effort.places_per_angle;
@@ -105,7 +104,7 @@ std::vector<std::uint32_t> encroaching(const MeshWithUndo& mesh, const RegionBou
   for (const MeshWithUndo::Triangle& t : mesh.triangles()) {
     if (t.v[0] == kNone || t.cost == 0) continue;
     for (const Corner i : kCorners) {
-      if (t.line[i] == ConformingMesh::kInside || !mesh.is_movable(t.v[i])) continue;
+      if (t.line[i] == JoinedMesh::kInside || !mesh.is_movable(t.v[i])) continue;
       const IndexPair edge{t.v[i.next()], t.v[i.previous()]};
       const auto side = std::lower_bound(boundary.sides.begin(), boundary.sides.end(), edge);
       const bool is_side = side != boundary.sides.end() && *side == edge;
@@ -129,7 +128,7 @@ std::optional<RegionMesh> mend_with_room(const RegionBoundary& boundary, const R
     return {};
   const std::vector<bool> is_free = free_sides_of(boundary);
   const HalfDiscRoom room(boundary.points, boundary.sides, is_free);
-  const ConformingMesh before = conforming_mesh_of(boundary, mesh);
+  const JoinedMesh before = joined_mesh_of(boundary, mesh);
   const MeshWithUndo start(before, *std::move(wanted));
   for (const bool all : {false, true}) {
     if (all && boundary.points.size() > effort::mend::kSmallRegion) break;

@@ -7,7 +7,7 @@
 #include <cover/cover_mesh.hpp>
 
 #include "comb.hpp"
-#include "cuts/after_meshing/one_mesh.hpp"
+#include "cuts/after_meshing/join_regions.hpp"
 #include "cuts/unite_pieces.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
@@ -16,7 +16,7 @@
 namespace cover {
 namespace {
 
-double area_of(const ConformingMesh& mesh, std::uint32_t region) {
+double area_of(const JoinedMesh& mesh, std::uint32_t region) {
   double sum = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
@@ -47,7 +47,7 @@ TEST(ClosedClefts, OpenedAgainTheyFillTheirRegions) {
   RegionTable table = work.table;
   const auto whole = unite_pieces(uncut, table, closed->point_before.size());
   const std::optional<OpenedClefts> opened =
-      open_clefts(join(work, uncut, whole), *closed, *prepared);
+      open_clefts(join_regions(work, uncut, whole), *closed, *prepared);
   ASSERT_TRUE(opened.has_value());
   EXPECT_GT(opened->pairs.size(), 0u);
   for (std::size_t v = 0; v < prepared->pslg.points.size(); ++v)

@@ -1,4 +1,4 @@
-// All regions of an input as one mesh whose sides know what lies beyond them.
+// A joined mesh in the form of the quality method: its sides know what lies beyond them.
 #pragma once
 
 #include <cstdint>
@@ -22,13 +22,13 @@ namespace cover {
 /// Vertices are the points of the PSLG, room for as many cuts, and Steiner vertices; points and
 /// triangles in the order of their coordinates, so that what is done does not depend on that of the
 /// input.
-class JoinedRegions {
+class MutableJoinedMesh {
  public:
   /// REQUIRES: `boundaries` and `meshes` are of the regions of `pslg`, in their order; no hull
   ///           sides
   /// Cost:     O(n log n)
-  JoinedRegions(const Pslg& pslg, std::span<const RegionBoundary> boundaries,
-                std::span<const RegionMesh> meshes, const Goal& goal);
+  MutableJoinedMesh(const Pslg& pslg, std::span<const RegionBoundary> boundaries,
+                    std::span<const RegionMesh> meshes, const Goal& goal);
 
   [[nodiscard]] const MutableMesh& mesh() const { return mesh_; }
   [[nodiscard]] const Goal& goal() const { return goal_; }

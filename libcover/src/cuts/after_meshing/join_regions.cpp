@@ -1,5 +1,5 @@
-// Tested by tests/unit/cuts/after_meshing/one_mesh_test.cpp.
-#include "cuts/after_meshing/one_mesh.hpp"
+// Tested by tests/unit/cuts/after_meshing/join_regions_test.cpp.
+#include "cuts/after_meshing/join_regions.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -19,13 +19,12 @@ bool touches_a_region(const SegmentSides& sides) {
 }
 
 /// By vertex: its point once `first` points are followed by the cuts; kNone inside a region.
-std::vector<std::uint32_t> points_of(const ConformingMesh& mesh,
-                                     const std::vector<std::uint32_t>& old,
+std::vector<std::uint32_t> points_of(const JoinedMesh& mesh, const std::vector<std::uint32_t>& old,
                                      const std::vector<std::uint32_t>& cuts, std::size_t first) {
   std::vector<std::uint32_t> id(mesh.points.size(), kNone);
   std::size_t fixed = 0;
   for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
-    if (mesh.line[v] == ConformingMesh::kFixed) id[v] = old[fixed++];
+    if (mesh.line[v] == JoinedMesh::kFixed) id[v] = old[fixed++];
   }
   for (std::size_t k = 0; k < cuts.size(); ++k) id[cuts[k]] = static_cast<std::uint32_t>(first + k);
   return id;
@@ -33,18 +32,18 @@ std::vector<std::uint32_t> points_of(const ConformingMesh& mesh,
 
 }  // namespace
 
-void renumber(const std::vector<std::uint32_t>& number, ConformingMesh& mesh) {
+void renumber(const std::vector<std::uint32_t>& number, JoinedMesh& mesh) {
   const std::vector<std::uint32_t> order = places_in(number);
   mesh.points = in_order(mesh.points, order);
   mesh.line = in_order(mesh.line, order);
-  for (ConformingMesh::Piece& piece : mesh.pieces)
+  for (JoinedMesh::Piece& piece : mesh.pieces)
     piece = {number[piece.a], number[piece.b], piece.line};
   for (IndexTriple& t : mesh.triangles) {
     for (std::uint32_t& v : t) v = number[v];
   }
 }
 
-std::vector<std::uint32_t> sort_by_place(ConformingMesh& mesh) {
+std::vector<std::uint32_t> sort_by_place(JoinedMesh& mesh) {
   std::vector<std::uint32_t> order = sorted_numbers(
       mesh.points.size(),
       [&](std::uint32_t a, std::uint32_t b) { return mesh.points[a] < mesh.points[b]; });
@@ -63,10 +62,10 @@ std::vector<std::uint32_t> sort_by_place(ConformingMesh& mesh) {
   return order;
 }
 
-ConformingMesh join(const Work& work, const Pslg& uncut, const United& united) {
-  ConformingMesh mesh;
+JoinedMesh join_regions(const Work& work, const Pslg& uncut, const United& united) {
+  JoinedMesh mesh;
   mesh.points = work.pslg.points;
-  mesh.line.assign(mesh.points.size(), ConformingMesh::kFixed);
+  mesh.line.assign(mesh.points.size(), JoinedMesh::kFixed);
   for (const Segment& s : uncut.segments)
     mesh.lines.push_back({uncut.points[s.a.index()], uncut.points[s.b.index()]});
   const auto lines = static_cast<std::uint32_t>(mesh.lines.size());
@@ -90,7 +89,7 @@ ConformingMesh join(const Work& work, const Pslg& uncut, const United& united) {
                                             : first + v - boundary.points.size());
     };
     for (const Point& p : work.meshes[r].steiner) mesh.points.push_back(p);
-    mesh.line.resize(mesh.points.size(), ConformingMesh::kInside);
+    mesh.line.resize(mesh.points.size(), JoinedMesh::kInside);
     for (const auto& [a, b, c] : work.meshes[r].triangles) {
       mesh.triangles.push_back({global(a), global(b), global(c)});
       mesh.region.push_back(static_cast<std::uint32_t>(r));
@@ -99,7 +98,7 @@ ConformingMesh join(const Work& work, const Pslg& uncut, const United& united) {
   return mesh;
 }
 
-void separate(const ConformingMesh& mesh, const std::vector<std::uint32_t>& old, Work& work) {
+void separate(const JoinedMesh& mesh, const std::vector<std::uint32_t>& old, Work& work) {
   std::vector<std::uint32_t> vertices;  // that cut a segment
   std::vector<PointOnSegment> points;
   for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
@@ -112,8 +111,7 @@ void separate(const ConformingMesh& mesh, const std::vector<std::uint32_t>& old,
   const std::vector<std::uint32_t> id = points_of(mesh, old, cuts, work.pslg.points.size());
   cut_segments(work.pslg, work.table, along.cuts);
   work.boundaries = split_regions(work.pslg, work.table);
-  hand_out_triangles({mesh.points, id, mesh.triangles, mesh.region}, work.boundaries,
-                     work.pslg.points.size(), work.meshes);
+  hand_out_triangles(mesh, id, work.boundaries, work.pslg.points.size(), work.meshes);
 }
 
 }  // namespace cover

@@ -1,14 +1,14 @@
-#include "cuts/after_meshing/one_mesh.hpp"
+#include "cuts/after_meshing/join_regions.hpp"
 
 #include <gtest/gtest.h>
 
 namespace cover {
 namespace {
 
-ConformingMesh two_triangles() {
-  ConformingMesh mesh;
+JoinedMesh two_triangles() {
+  JoinedMesh mesh;
   mesh.points = {{1, 1}, {0, 0}, {1, 0}, {0, 1}};
-  mesh.line = {ConformingMesh::kFixed, ConformingMesh::kInside, 0, ConformingMesh::kFixed};
+  mesh.line = {JoinedMesh::kFixed, JoinedMesh::kInside, 0, JoinedMesh::kFixed};
   mesh.lines = {{{1, 0}, {0, 0}}};
   mesh.pieces = {{1, 2, 0}};
   mesh.triangles = {{2, 0, 1}, {0, 3, 1}};
@@ -16,11 +16,11 @@ ConformingMesh two_triangles() {
   return mesh;
 }
 
-TEST(OneMesh, IsSortedByPlaces) {
-  ConformingMesh mesh = two_triangles();
+TEST(JoinRegions, IsSortedByPlaces) {
+  JoinedMesh mesh = two_triangles();
   EXPECT_EQ(sort_by_place(mesh), (std::vector<std::uint32_t>{1, 3, 2, 0}));
   EXPECT_EQ(mesh.points, (std::vector<Point>{{0, 0}, {0, 1}, {1, 0}, {1, 1}}));
-  EXPECT_EQ(mesh.line[0], ConformingMesh::kInside);
+  EXPECT_EQ(mesh.line[0], JoinedMesh::kInside);
   EXPECT_EQ(mesh.line[2], 0u);
   EXPECT_EQ(mesh.triangles, (std::vector<IndexTriple>{{0, 2, 3}, {0, 3, 1}}));
   EXPECT_EQ(mesh.region, (std::vector<std::uint32_t>{0, 1}));
@@ -28,9 +28,9 @@ TEST(OneMesh, IsSortedByPlaces) {
   EXPECT_EQ(mesh.pieces[0].b, 2u);
 }
 
-TEST(OneMesh, NumbersGoBack) {
-  const ConformingMesh before = two_triangles();
-  ConformingMesh mesh = before;
+TEST(JoinRegions, NumbersGoBack) {
+  const JoinedMesh before = two_triangles();
+  JoinedMesh mesh = before;
   renumber({2, 3, 1, 0}, mesh);
   EXPECT_EQ(mesh.points[2], before.points[0]);
   renumber({3, 2, 0, 1}, mesh);

@@ -1,4 +1,4 @@
-// All regions as one conforming mesh, as plain arrays: what is thinned out.
+// The meshes of all regions as one, in plain arrays: what is mended and thinned out.
 #pragma once
 
 #include <array>
@@ -16,8 +16,9 @@ struct StraightLine {
   Point a, b;
 };
 
-/// A mesh of all regions whose vertices know what they may do.
-struct ConformingMesh {
+/// The meshes of all regions as one, or that of a region alone, whose vertices know what they may
+/// do.
+struct JoinedMesh {
   /// In place of a line: the vertex stays where it is.
   static constexpr std::uint32_t kFixed = 0xfffffffeU;
   /// In place of a line: the vertex lies inside of a region. Of an edge: it is on no line.

@@ -1,6 +1,6 @@
-// See joined_regions.hpp.
-// Tested by tests/unit/cuts/after_meshing/joined_regions_test.cpp.
-#include "cuts/after_meshing/joined_regions.hpp"
+// See mutable_joined_mesh.hpp.
+// Tested by tests/unit/cuts/after_meshing/mutable_joined_mesh_test.cpp.
+#include "cuts/after_meshing/mutable_joined_mesh.hpp"
 
 #include <algorithm>
 #include <array>
@@ -83,8 +83,8 @@ bool is_obtuse(const std::array<Point, 3>& corners, const LocalFrame& frame) {
 
 }  // namespace
 
-JoinedRegions::JoinedRegions(const Pslg& pslg, std::span<const RegionBoundary> boundaries,
-                             std::span<const RegionMesh> meshes, const Goal& goal)
+MutableJoinedMesh::MutableJoinedMesh(const Pslg& pslg, std::span<const RegionBoundary> boundaries,
+                                     std::span<const RegionMesh> meshes, const Goal& goal)
     : goal_(goal),
       by_place_(order_by_place(pslg.points)),
       frame_(in_order(pslg.points, by_place_)),
@@ -120,7 +120,7 @@ JoinedRegions::JoinedRegions(const Pslg& pslg, std::span<const RegionBoundary> b
   join(with_neighbours(std::move(points), triangles), sides);
 }
 
-void JoinedRegions::join(const Triangulation& all, std::span<const Side> sides) {
+void MutableJoinedMesh::join(const Triangulation& all, std::span<const Side> sides) {
   std::vector<IndexPair> pairs;
   std::vector<SideLimit> limits;
   for (const Side& side : sides) {
@@ -141,7 +141,7 @@ void JoinedRegions::join(const Triangulation& all, std::span<const Side> sides) 
   }
 }
 
-std::vector<std::uint32_t> JoinedRegions::triangles_above() const {
+std::vector<std::uint32_t> MutableJoinedMesh::triangles_above() const {
   std::vector<std::pair<std::array<Point, 3>, std::uint32_t>> found;
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
     if (!is_above(mesh_, t, goal_)) continue;
@@ -156,7 +156,7 @@ std::vector<std::uint32_t> JoinedRegions::triangles_above() const {
   return out;
 }
 
-std::vector<SegmentId> JoinedRegions::segments_to_halve() const {
+std::vector<SegmentId> MutableJoinedMesh::segments_to_halve() const {
   std::vector<SegmentId> found;
   for (const std::uint32_t above : triangles_above()) {
     std::vector<std::pair<double, std::uint32_t>> sides;  // with their squared lengths
@@ -178,13 +178,14 @@ std::vector<SegmentId> JoinedRegions::segments_to_halve() const {
   return found;
 }
 
-Excerpt JoinedRegions::excerpt_around(std::uint32_t t, std::size_t triangles) const {
+Excerpt MutableJoinedMesh::excerpt_around(std::uint32_t t, std::size_t triangles) const {
   const auto spare = static_cast<std::uint32_t>(points_ + cuts_);
   return {mesh_, t, triangles, beyond_, may_cut() ? spare : kNone};
 }
 
-std::vector<std::uint32_t> JoinedRegions::put_back(Excerpt& excerpt, const MutableMesh& improved,
-                                                   std::uint32_t side) {
+std::vector<std::uint32_t> MutableJoinedMesh::put_back(Excerpt& excerpt,
+                                                       const MutableMesh& improved,
+                                                       std::uint32_t side) {
   has_changed_ = true;
   if (side != kNone) {
     const std::uint32_t s = side_index(excerpt.outside[side]), r = partner_[s];
@@ -207,7 +208,7 @@ std::vector<std::uint32_t> JoinedRegions::put_back(Excerpt& excerpt, const Mutab
 }
 
 /// A new side, like `parent`, for the whole and the excerpt.
-std::uint32_t JoinedRegions::add_side(std::uint32_t parent, Excerpt& excerpt) {
+std::uint32_t MutableJoinedMesh::add_side(std::uint32_t parent, Excerpt& excerpt) {
   const auto number = static_cast<std::uint32_t>(mesh_.sides.size());
   mesh_.sides.repeat(parent);
   mesh_.allowances.push_back(mesh_.allowances[parent]);
@@ -219,11 +220,11 @@ std::uint32_t JoinedRegions::add_side(std::uint32_t parent, Excerpt& excerpt) {
   return number;
 }
 
-std::vector<SegmentCut> JoinedRegions::segment_cuts(const Pslg& pslg) const {
+std::vector<SegmentCut> MutableJoinedMesh::segment_cuts(const Pslg& pslg) const {
   return along_segments(pslg, cut_points_).cuts;
 }
 
-bool JoinedRegions::is_valid() const {
+bool MutableJoinedMesh::is_valid() const {
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
     if (mesh_.is_hole(t)) continue;
     const Point a = frame_.restore(mesh_.corner(t, 0)), b = frame_.restore(mesh_.corner(t, 1)),
@@ -233,23 +234,21 @@ bool JoinedRegions::is_valid() const {
   return true;
 }
 
-void JoinedRegions::separate(const Pslg& pslg, std::span<const RegionBoundary> boundaries,
-                             std::vector<RegionMesh>& meshes) const {
-  const std::vector<std::uint32_t> id = ids_of_vertices(pslg), region = regions_of_triangles();
-  std::vector<Point> points;
-  for (const Point& p : mesh_.points) points.push_back(frame_.restore(p));
-  std::vector<IndexTriple> triangles;
-  std::vector<std::uint32_t> region_of;
+void MutableJoinedMesh::separate(const Pslg& pslg, std::span<const RegionBoundary> boundaries,
+                                 std::vector<RegionMesh>& meshes) const {
+  const std::vector<std::uint32_t> region = regions_of_triangles();
+  JoinedMesh joined;
+  for (const Point& p : mesh_.points) joined.points.push_back(frame_.restore(p));
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
     if (mesh_.is_hole(t)) continue;
-    triangles.push_back(mesh_.triangles[t].v);
-    region_of.push_back(region[t]);
+    joined.triangles.push_back(mesh_.triangles[t].v);
+    joined.region.push_back(region[t]);
   }
-  hand_out_triangles({points, id, triangles, region_of}, boundaries, pslg.points.size(), meshes);
+  hand_out_triangles(joined, ids_of_vertices(pslg), boundaries, pslg.points.size(), meshes);
 }
 
 /// By vertex: its point of `pslg`, which has the cuts; kNone inside a region.
-std::vector<std::uint32_t> JoinedRegions::ids_of_vertices(const Pslg& pslg) const {
+std::vector<std::uint32_t> MutableJoinedMesh::ids_of_vertices(const Pslg& pslg) const {
   std::vector<std::uint32_t> id(mesh_.points.size(), kNone);
   std::copy(by_place_.begin(), by_place_.end(), id.begin());
   std::vector<std::pair<Point, std::uint32_t>> added;
@@ -264,7 +263,7 @@ std::vector<std::uint32_t> JoinedRegions::ids_of_vertices(const Pslg& pslg) cons
 }
 
 /// By triangle: the index of the region that it lies in.
-std::vector<std::uint32_t> JoinedRegions::regions_of_triangles() const {
+std::vector<std::uint32_t> MutableJoinedMesh::regions_of_triangles() const {
   std::vector<std::uint32_t> region(mesh_.triangles.size(), kNone), stack;
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
     if (mesh_.is_hole(t)) continue;

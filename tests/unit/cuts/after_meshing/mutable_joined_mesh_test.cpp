@@ -1,5 +1,5 @@
-// All regions as one mesh: who is beyond a segment, what is left above the goal, the way back.
-#include "cuts/after_meshing/joined_regions.hpp"
+// The joined mesh: who is beyond a segment, what is left above the goal, the way back.
+#include "cuts/after_meshing/mutable_joined_mesh.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ Options plain() {
   return options;
 }
 
-JoinedRegions joined(const Work& work, const Goal& goal = kRightAngles) {
+MutableJoinedMesh joined(const Work& work, const Goal& goal = kRightAngles) {
   return {work.pslg, work.boundaries, work.meshes, goal};
 }
 
@@ -36,9 +36,9 @@ Input two_squares() {
   return input;
 }
 
-TEST(JoinedRegions, HaveTheTrianglesOfAllAndASideForEachOfTheirs) {
+TEST(MutableJoinedMesh, HaveTheTrianglesOfAllAndASideForEachOfTheirs) {
   const Work work = meshed(testing::checker(3, 4, 7), plain());
-  const JoinedRegions all = joined(work);
+  const MutableJoinedMesh all = joined(work);
   std::size_t triangles = 0, sides = 0;
   for (const RegionMesh& mesh : work.meshes) triangles += mesh.triangles.size();
   for (const RegionBoundary& boundary : work.boundaries) sides += boundary.sides.size();
@@ -49,8 +49,8 @@ TEST(JoinedRegions, HaveTheTrianglesOfAllAndASideForEachOfTheirs) {
   EXPECT_TRUE(all.is_valid());
 }
 
-TEST(JoinedRegions, TwoSidesOfOneSegmentArePartnersAndTheVoidIsNone) {
-  const JoinedRegions all = joined(meshed(two_squares(), plain()));
+TEST(MutableJoinedMesh, TwoSidesOfOneSegmentArePartnersAndTheVoidIsNone) {
+  const MutableJoinedMesh all = joined(meshed(two_squares(), plain()));
   std::size_t alone = 0, paired = 0;
   for (std::uint32_t s = 0; s < all.mesh().sides.size(); ++s) {
     const std::uint32_t other = all.partner(s);
@@ -67,10 +67,10 @@ TEST(JoinedRegions, TwoSidesOfOneSegmentArePartnersAndTheVoidIsNone) {
   EXPECT_EQ(paired, 2U);
 }
 
-TEST(JoinedRegions, TrianglesAboveComeInTheOrderOfTheirPlacesWhateverThatOfTheInput) {
+TEST(MutableJoinedMesh, TrianglesAboveComeInTheOrderOfTheirPlacesWhateverThatOfTheInput) {
   const Input input = testing::random_cells(8, 3);
   const Work work = meshed(input, plain()), other = meshed(testing::shuffled(input, 5), plain());
-  const JoinedRegions all = joined(work), again = joined(other);
+  const MutableJoinedMesh all = joined(work), again = joined(other);
   const std::vector<std::uint32_t> above = all.triangles_above();
   ASSERT_GT(above.size(), 2U);
   for (const std::uint32_t t : above) EXPECT_TRUE(is_above(all.mesh(), t, kRightAngles));
@@ -86,11 +86,11 @@ TEST(JoinedRegions, TrianglesAboveComeInTheOrderOfTheirPlacesWhateverThatOfTheIn
                   .empty());
 }
 
-TEST(JoinedRegions, HalvesTheLongestSegmentsNearWhatIsLeft) {
+TEST(MutableJoinedMesh, HalvesTheLongestSegmentsNearWhatIsLeft) {
   const Input input = testing::segments_between({{0, 0}, {4, 0}, {4, 1}, {0, 1}},
                                                 {{{0, 1}}, {{1, 2}}, {{2, 3}}, {{3, 0}}});
   const Work work = meshed(input, plain());
-  const JoinedRegions all = joined(work, Goal::of(Angle::degrees(61), Angle::degrees(20)));
+  const MutableJoinedMesh all = joined(work, Goal::of(Angle::degrees(61), Angle::degrees(20)));
   ASSERT_FALSE(all.triangles_above().empty());
   const std::vector<SegmentId> halved = all.segments_to_halve();
   ASSERT_EQ(halved.size(), 2U) << "each once, however many triangles are near";
@@ -102,7 +102,7 @@ TEST(JoinedRegions, HalvesTheLongestSegmentsNearWhatIsLeft) {
   }
 }
 
-TEST(JoinedRegions, SeparatedAgainTheyAreTheMeshesThatTheyWere) {
+TEST(MutableJoinedMesh, SeparatedAgainTheyAreTheMeshesThatTheyWere) {
   const Work work = meshed(testing::checker(3, 4, 7), plain());
   std::vector<RegionMesh> meshes = work.meshes;
   joined(work).separate(work.pslg, work.boundaries, meshes);
@@ -117,9 +117,9 @@ TEST(JoinedRegions, SeparatedAgainTheyAreTheMeshesThatTheyWere) {
   }
 }
 
-TEST(JoinedRegions, AnExcerptReachesOverSegments) {
+TEST(MutableJoinedMesh, AnExcerptReachesOverSegments) {
   const Work work = meshed(two_squares(), plain());
-  const JoinedRegions all = joined(work);
+  const MutableJoinedMesh all = joined(work);
   const Excerpt excerpt = all.excerpt_around(0, 1000);
   EXPECT_EQ(excerpt.mesh.triangles.size(), all.mesh().triangle_count());
 }
