@@ -1,4 +1,4 @@
-// Tested by tests/unit/cuts/boxes/cut_until_coupled_test.cpp and
+// Tested by tests/unit/cuts/boxes/cut_negative_couplings_test.cpp and
 // tests/unit/cuts/after_meshing/thin_cuts_test.cpp.
 #include "cuts/work.hpp"
 

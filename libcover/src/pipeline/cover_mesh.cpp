@@ -17,7 +17,7 @@
 #include "cuts/after_meshing/mesh_with_closed_clefts.hpp"
 #include "cuts/after_meshing/thin_cuts.hpp"
 #include "cuts/before_meshing/onto_arcs.hpp"
-#include "cuts/boxes/cut_until_coupled.hpp"
+#include "cuts/boxes/cut_negative_couplings.hpp"
 #include "cuts/cut_segments.hpp"
 #include "cuts/needles/warn_of_needles.hpp"
 #include "layers/layer_rules.hpp"
@@ -84,8 +84,9 @@ Result<Output> mesh_input(AnyInput&& input, const Options& asked, const Callback
 
 Result<Output> finish_work(Work work, const Options& options, const Callbacks& callbacks,
                            StageClock& clock) {
-  for (const auto step : {mesh_each_region, cut_regions, mesh_with_closed_clefts, cut_until_coupled,
-                          thin_cuts, cut_what_is_left, prove_limits, look_at_cuts})
+  for (const auto step :
+       {mesh_each_region, cut_regions, mesh_with_closed_clefts, cut_negative_couplings, thin_cuts,
+        cut_what_is_left, prove_limits, look_at_cuts})
     if (Status status = step(work, options, callbacks); !status) return std::move(status).error();
   clock.note("mesh", work.report.times);
   return stitch_regions(std::move(work), callbacks, clock);

@@ -6,7 +6,7 @@
 
 #include "cuts/after_meshing/cut_until_met.hpp"
 #include "cuts/after_meshing/thin_cuts.hpp"
-#include "cuts/boxes/cut_until_coupled.hpp"
+#include "cuts/boxes/cut_negative_couplings.hpp"
 
 namespace cover {
 namespace {
@@ -25,7 +25,7 @@ Status cut_what_is_left(Work& work, const Options& options, const Callbacks& cal
   Work again = work;
   if (Status status = cut_until_met(again, options, callbacks, CutUntil::none_is_left); !status)
     return status;
-  for (const auto step : {cut_until_coupled, thin_cuts})
+  for (const auto step : {cut_negative_couplings, thin_cuts})
     if (Status status = step(again, options, callbacks); !status) return status;
   if (obtuse_triangles(again.meshes) < obtuse_triangles(work.meshes) &&
       what_is_worse(work.meshes, again.meshes, options).empty())

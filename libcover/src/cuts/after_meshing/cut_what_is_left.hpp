@@ -15,7 +15,7 @@ namespace cover {
 /// takes as long as all before it.
 ///
 /// Errors:  cancelled, internal
-/// Cost:    that of cut_until_met(), cut_until_coupled() and thin_cuts()
+/// Cost:    that of cut_until_met(), cut_negative_couplings() and thin_cuts()
 Status cut_what_is_left(Work& work, const Options& options, const Callbacks& callbacks);
 
 }  // namespace cover

@@ -1,4 +1,4 @@
-#include "cuts/boxes/cut_until_coupled.hpp"
+#include "cuts/boxes/cut_negative_couplings.hpp"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ Input half_disc(int chords) {
   return testing::input_of(loop);
 }
 
-TEST(CutUntilCoupled, LeavesNoNegativeCouplingOnRandomDevices) {
+TEST(CutNegativeCouplings, LeavesNoNegativeCouplingOnRandomDevices) {
   for (const testing::RandomInput& kind : testing::kRandomDevices) {
     for (std::uint64_t seed = 0; seed < 2; ++seed) {
       const Output output = testing::must_mesh(kind.make(seed), for_boxes());
@@ -54,7 +54,7 @@ TEST(CutUntilCoupled, LeavesNoNegativeCouplingOnRandomDevices) {
   }
 }
 
-TEST(CutUntilCoupled, TellsWhichVertexSawASideThatIsGivenUp) {
+TEST(CutNegativeCouplings, TellsWhichVertexSawASideThatIsGivenUp) {
   std::size_t given_up = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Output output = testing::must_mesh(testing::random_cells(40, seed), for_boxes());
@@ -66,7 +66,7 @@ TEST(CutUntilCoupled, TellsWhichVertexSawASideThatIsGivenUp) {
   EXPECT_GT(given_up, 0u);
 }
 
-TEST(CutUntilCoupled, HandsOnErrorsThatAreNotOfItsCuts) {
+TEST(CutNegativeCouplings, HandsOnErrorsThatAreNotOfItsCuts) {
   std::size_t failed = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     int rounds = 0;
@@ -91,7 +91,7 @@ TEST(CutUntilCoupled, HandsOnErrorsThatAreNotOfItsCuts) {
   EXPECT_GT(failed, 0u);
 }
 
-TEST(CutUntilCoupled, AHalfDiscIsCutForItsAngles) {
+TEST(CutNegativeCouplings, AHalfDiscIsCutForItsAngles) {
   const Output output = testing::must_mesh(half_disc(24), for_boxes());
   EXPECT_TRUE(negative(output).empty());
   EXPECT_EQ(testing::violations(output), "");
@@ -105,7 +105,7 @@ TEST(CutUntilCoupled, AHalfDiscIsCutForItsAngles) {
 
 /// Thin plates in air, whose cuts are at exact feet. Triangles beside the lower one have small
 /// angles, which the sides force; no angle above the upper one has to be large.
-TEST(CutUntilCoupled, LargeAnglesAreMendedBesideSmallOnesThatAreForced) {
+TEST(CutNegativeCouplings, LargeAnglesAreMendedBesideSmallOnesThatAreForced) {
   for (const double half_width : {2.0, 3.0}) {
     Input input;
     input.polygons.resize(3);

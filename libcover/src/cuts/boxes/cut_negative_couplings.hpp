@@ -16,6 +16,6 @@ namespace cover {
 /// ENSURES: notes tell how many points were added, and a warning names what is left
 /// Errors:  cancelled, internal
 /// Cost:    per round, that of meshing the regions whose segments were cut
-Status cut_until_coupled(Work& work, const Options& options, const Callbacks& callbacks);
+Status cut_negative_couplings(Work& work, const Options& options, const Callbacks& callbacks);
 
 }  // namespace cover

@@ -1,6 +1,6 @@
 // A mesh keeps a negative coupling on a side only where the bound or a target needs a vertex in its
 // diametral disk. Cut at the foot of that vertex, the side has two smaller disks without it.
-#include "cuts/boxes/cut_until_coupled.hpp"
+#include "cuts/boxes/cut_negative_couplings.hpp"
 
 #include <algorithm>
 #include <map>
@@ -187,7 +187,7 @@ class CouplingRounds {
 
 }  // namespace
 
-Status cut_until_coupled(Work& work, const Options& options, const Callbacks& callbacks) {
+Status cut_negative_couplings(Work& work, const Options& options, const Callbacks& callbacks) {
   if (!options.box_method) return ok();
   Status status = CouplingRounds(work, options, callbacks).run();
   if (!status) return status;
