@@ -25,6 +25,19 @@ class Convert(Case):
         self.assertEqual((self.dir / 'e.vtu').read_bytes(), (self.dir / 'd.vtu').read_bytes())
         self.run_cover('check', SAMPLES / 'diode.poly', 'e.vtu')
 
+    def test_standard_output_has_the_names_that_a_file_has(self):
+        self.write('n.json', json.dumps({'polygons': [{'material': 'a b', 'rings': [[[0, 0], [1, 0], [1, 1], [0, 1]]]}]}))
+        self.run_cover('mesh', 'n.json', '-o', 'n.vtm', '-q')
+        for extension in 'inp', 'obj':
+            told, _ = self.run_cover('convert', 'n.vtm', '-o', 'n.' + extension)
+            self.assertRegex(told, r'(?m)^ +in \.' + extension + r' +stands for\n +[Aa]_[Bb] +a b$')
+            out, err = self.run_cover('convert', 'n.vtm', '-o', '-', '--format', extension)
+            self.assertEqual(out, (self.dir / f'n.{extension}').read_text())
+            self.assertEqual(err, told)
+        out, err = self.run_cover('mesh', 'n.json', '-o', '-', '--format', 'inp')
+        self.assertIn(self.run_cover('convert', 'n.vtm', '-o', 'n.inp')[0], err)
+        self.assertEqual(self.run_cover('convert', 'n.vtm', '-o', '-', '--format', 'inp', '-q')[1], '')
+
     def test_voids_stay_void(self):
         def holes(name):
             lines = (self.dir / name).read_text().split('# holes')[1].split('\n')[1:]

@@ -84,7 +84,7 @@ Examples:
   if (!done) return fail(*log, done.error());
   if (verbosity.quiet) return exit_ok;
   const std::string renamed =
-      renamed_text(*mesh, files.meshes(), files.write_options(), verbosity.verbose > 0);
+      renamed_text(*mesh, files.names_with_formats(), files.write_options(), verbosity.verbose > 0);
   // What is piped out of stdout must be the mesh alone.
   if (files.has_stdout())
     print_on_stderr(renamed);

@@ -64,6 +64,13 @@ void OutputFiles::add_reports(CLI::App& command, const char* group) {
       ->group(group);
 }
 
+std::vector<std::string> OutputFiles::names_with_formats() const {
+  std::vector<std::string> names = meshes_;
+  for (std::string& name : names)
+    if (name == "-") name += extension_of_output(name, format_);
+  return names;
+}
+
 std::vector<std::string> OutputFiles::paths() const {
   std::vector<std::string> all = meshes_;
   all.insert(all.end(), reports_.begin(), reports_.end());

@@ -41,6 +41,8 @@ class OutputFiles {
 
   [[nodiscard]] const std::vector<std::string>& meshes() const { return meshes_; }
   [[nodiscard]] const std::vector<std::string>& reports() const { return reports_; }
+  /// Meshes by names that end in their formats, standard output by one made up.
+  [[nodiscard]] std::vector<std::string> names_with_formats() const;
   /// Meshes and, behind them, reports: in the order in which they are written.
   [[nodiscard]] std::vector<std::string> paths() const;
   /// The same with the options that name them.

@@ -268,7 +268,7 @@ int print_report(const MeshCommand& command, const StreamedOutput& streamed, spd
   std::string text = mesh_text(streamed, command.is_verbose());
   for (const std::string& path : command.files.paths())
     if (path != "-") text += fmt::format("Wrote {}\n", path);
-  text += group_text(streamed, command.files.meshes(), command.files.write_options(),
+  text += group_text(streamed, command.files.names_with_formats(), command.files.write_options(),
                      command.is_verbose());
   if (command.files.has_stdout())
     print_on_stderr(text);
