@@ -155,6 +155,17 @@ class Configuration(Case):
             self.write('job.toml', text + '\n')
             self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--config', 'job.toml')
 
+    def test_a_key_given_twice(self):
+        for text, said in (('size = 4\nmax-angle = 100\nsize = 5\n', "job.toml:3: 'size' is given twice, first in line 1"),
+                           ('output = ["x.vtu",\n  "x.msh"]\n"output" = "y.vtu"\n', "job.toml:3: 'output' is given twice, first in line 1"),
+                           ('hull = true\nhull = true # size = 4\n', "job.toml:2: 'hull' is given twice, first in line 1")):
+            self.write('job.toml', text)
+            _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--config', 'job.toml', code=2)
+            self.assertIn(said, err)
+            self.assertEqual(self.files(), ['job.toml'])
+        self.write('job.toml', '# size = 4\nsize = "4" # size = 5\nsize-at = ["size=1"]\n')
+        self.assertNotIn('twice', self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--config', 'job.toml', code=2)[1])
+
     def test_what_is_not_closed(self):
         for text, said in (('output = ["x.vtu"\nsize = 4\n', 'job.toml:1: the list that begins with [ has no ] at its end'),
                            ('size = 4\noutput = ["x.vtu",\n  "x.msh"\n', 'job.toml:2: the list that begins with ['),

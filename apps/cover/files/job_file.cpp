@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <sstream>
 #include <string_view>
 #include <vector>
@@ -45,6 +46,7 @@ class Scanner {
   std::string next(std::string line) {
     ++number_;
     if (open_ > 0 && is_key(line)) fail_open();
+    if (open_ == 0) check_key(line);
     char before = kNever;  // the last character that is no blank
     for (std::size_t k = 0; k < line.size(); ++k) {
       const char c = line[k];
@@ -101,6 +103,28 @@ class Scanner {
     return (place - k) % 2 == 1;
   }
 
+  /// The name in front of '=', without quotes around it; empty: none.
+  static std::string key_of(const std::string& line) {
+    const std::size_t equals = line.find('=');
+    if (equals == std::string::npos || line.find('#') < equals) return {};
+    const std::string key = CLI::detail::trim_copy(line.substr(0, equals));
+    const bool is_quoted =
+        key.size() > 1 && (key.front() == '"' || key.front() == '\'') && key.back() == key.front();
+    return is_quoted ? key.substr(1, key.size() - 2) : key;
+  }
+
+  /// A key stands once: else one of two lists would be thought to replace the other.
+  void check_key(const std::string& line) {
+    const std::string key = key_of(line);
+    if (key.empty()) return;
+    const auto [known, is_new] = line_of_.emplace(key, number_);
+    if (is_new) return;
+    throw JobFileError(number_,
+                       fmt::format("'{}' is given twice, first in line {}: several values are a "
+                                   "list, in [ and ]",
+                                   key, known->second));
+  }
+
   /// Whether a value has its end here.
   static bool is_end(const std::string& line, std::size_t k) {
     k = line.find_first_not_of(" \t\r", k);
@@ -109,10 +133,8 @@ class Scanner {
 
   /// Whether a line begins with the name of an option and '='.
   [[nodiscard]] bool is_key(const std::string& line) const {
-    const std::size_t equals = line.find('=');
-    if (equals == std::string::npos) return false;
-    const std::string name = CLI::detail::trim_copy(line.substr(0, equals));
-    return command_.get_option_no_throw("--" + name) != nullptr;
+    const std::string name = key_of(line);
+    return !name.empty() && command_.get_option_no_throw("--" + name) != nullptr;
   }
 
   [[noreturn]] void fail_open() const {
@@ -121,6 +143,7 @@ class Scanner {
 
   const CLI::App& command_;
   std::vector<std::string> strings_;
+  std::map<std::string, std::size_t> line_of_;  ///< by key
   std::size_t number_ = 0;
   std::size_t opened_at_ = 0;
   std::size_t open_ = 0;

@@ -20,9 +20,9 @@ class JobFileError : public CLI::ConfigError {
   std::size_t line_;
 };
 
-/// Strings end on their line, arrays before the next key; strings are what stands between their
-/// quotes, whatever that is, with escapes in """..."""; `#` in them begins no comment; `true` for
-/// an option that also stands alone means that; a byte order mark is skipped.
+/// A key stands once; strings end on their line, arrays before the next key; strings are what
+/// stands between their quotes, whatever that is, with escapes in """..."""; `#` in them begins no
+/// comment; `true` for an option that also stands alone means that; a byte order mark is skipped.
 class JobFile : public CLI::ConfigTOML {
  public:
   explicit JobFile(const CLI::App& command) : command_(command) {}
