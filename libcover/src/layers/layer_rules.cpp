@@ -2,6 +2,7 @@
 #include "layers/layer_rules.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,15 @@ Error bad_layers(const LayerRule& rule, const std::string& what, std::vector<Poi
                       rule.region.empty() ? "" : "@" + rule.region, what),
           std::move(where),
           {}};
+}
+
+/// For a rule of a line that has '@' in its name.
+std::optional<Error> unquoted(const LayerRule& rule, const Pslg& pslg, const RegionTable& table) {
+  const std::string whole = rule.line + "@" + rule.region;
+  if (rule.region.empty() || named_segments(pslg, table, whole).empty()) return std::nullopt;
+  return bad_layers(rule, fmt::format("region '{}' of line '{}' is meant; in quotation marks, "
+                                      "\"{}\", it is the line of that name",
+                                      rule.region, rule.line, whole));
 }
 
 Error no_such_line(const LayerRule& rule, const Pslg& pslg, const RegionTable& table) {
@@ -74,6 +84,8 @@ class Resolver {
     std::vector<RegionId> wanted;
     if (!rule.region.empty()) {
       wanted = named_regions(table_, rule.region);
+      if (auto error = wanted.empty() ? unquoted(rule, pslg_, table_) : std::nullopt)
+        return *std::move(error);
       if (wanted.empty())
         return no_such_region(table_, fmt::format("layers for '{}'", rule.line), rule.region);
     }
@@ -85,6 +97,8 @@ class Resolver {
       return wanted.empty() || std::find(wanted.begin(), wanted.end(), region) != wanted.end();
     };
     const std::vector<SegmentId> line = named_segments(pslg_, table_, rule.line);
+    if (auto error = line.empty() ? unquoted(rule, pslg_, table_) : std::nullopt)
+      return *std::move(error);
     if (line.empty()) return no_such_line(rule, pslg_, table_);
     for (const SegmentId s : line) {
       const SegmentSides& sides = table_.sides[s.index()];

@@ -69,6 +69,20 @@ TEST(LayerRules, WithUnknownNamesAreRefused) {
             "layers for 'gate@right': region 'right' is not beside that line, but 'left'");
 }
 
+TEST(LayerRules, ANameWithAnAtSignIsInQuotationMarks) {
+  Input input = two_squares();
+  input.segments[4].name = "gate@1";
+  OptionReader unquoted, quoted;
+  ASSERT_TRUE(unquoted.set(*find_option("layers"), "gate@1=0.01,1,3"));
+  const Result<Prepared> refused = prepare(input, *unquoted.result());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message,
+            "layers for 'gate@1': region '1' of line 'gate' is meant; in quotation marks, "
+            "\"gate@1\", it is the line of that name");
+  ASSERT_TRUE(quoted.set(*find_option("layers"), "\"gate@1\"=0.01,1,3"));
+  EXPECT_TRUE(prepare(input, *quoted.result()));
+}
+
 TEST(LayerRules, ThatNoRegionOrNumberCanHoldAreRefused) {
   EXPECT_EQ(refusal({{"gate", "", 0.99, 1, 1}}), "");
   EXPECT_EQ(refusal({{"gate", "", 1, 1, 1}}),
