@@ -2,7 +2,9 @@
 #include "layers/wall_points.hpp"
 
 #include <cmath>
+#include <optional>
 
+#include "geom/curves/arc.hpp"
 #include "layers/front/offsets.hpp"
 #include "layers/front/side_links.hpp"
 #include "layers/front/thickness.hpp"
@@ -12,10 +14,22 @@ namespace {
 
 /// Of a wall's length: the highest row; what is left of the wall is no shorter than half of a row.
 constexpr double kMost = 0.5;
+constexpr int kHalvings = 64;  ///< after these, a share of a way has the digits of a double
+
+/// The share of the way along an arc from `foot` on where it is that high. Halving serves, since
+/// the arc rises all the way: walls are about upright, and no chord spans nearly half a circle.
+double share_at_height(const ArcOver& arc, Point foot, Vector normal, double height) {
+  double low = 0, high = 1;
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle = (low + high) / 2;
+    (dot(arc.at(middle) - foot, normal) < height ? low : high) = middle;
+  }
+  return high;
+}
 
 }  // namespace
 
-std::vector<WallPoint> wall_points(const RegionBoundary& boundary,
+std::vector<WallPoint> wall_points(const Pslg& pslg, const RegionBoundary& boundary,
                                    std::span<const LayerRule> rules) {
   std::vector<WallPoint> out;
   const auto start = [&](std::uint32_t s) { return boundary.points[boundary.sides[s][0]]; };
@@ -28,11 +42,15 @@ std::vector<WallPoint> wall_points(const RegionBoundary& boundary,
     const Vector up = top - foot;
     const double height = dot(up, normal);
     const Thickness thickness(rule, height);
+    const ArcCircle* circle = circle_of(pslg, pslg.segments[boundary.segments[wall].index()]);
+    const std::optional<ArcOver> arc =
+        circle != nullptr ? std::optional(ArcOver(*circle, foot, top)) : std::nullopt;
     for (int k = 0; k < thickness.rows(); ++k) {
       const double layer = thickness.layer(k);
       if (rule.count == 0 && k > 0 && layer > length(end(edge) - start(edge))) break;
-      const double share = thickness.total(k + 1) / height;
       if (height - thickness.total(k + 1) < kMost * layer) break;
+      const double share = arc ? share_at_height(*arc, foot, normal, thickness.total(k + 1))
+                               : thickness.total(k + 1) / height;
       out.push_back({wall, foot + share * up, share * length(up), layer, number});
     }
   };

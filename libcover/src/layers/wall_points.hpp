@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <cover/options.hpp>
+#include <cover/pslg.hpp>
 
 #include "region/region_boundary.hpp"
 
@@ -14,17 +15,19 @@ namespace cover::layers {
 /// A point that a side should have.
 struct WallPoint {
   std::uint32_t side = 0;
-  Point at;
+  Point at;  ///< on the side; where this is a chord, at the same share as the point of the arc
   double height = 0;  ///< along the side, from the line's end
   double layer = 0;   ///< thickness of the layer below
   std::size_t rule = 0;
 };
 
 /// Line by line, upwards: the heights of rows over lines that end at about a right angle with the
-/// side, as far as the side reaches. Lines are no walls of their own.
+/// side, as far as the side reaches. Of a side that is a chord of an arc, the points of the arc
+/// have these heights. Lines are no walls of their own.
 ///
-/// REQUIRES: boundary.layers has a rule for each side, `rules` are Options::layers
-std::vector<WallPoint> wall_points(const RegionBoundary& boundary,
+/// REQUIRES: boundary.layers has a rule for each side, `rules` are Options::layers; `boundary` is
+///           one of `pslg`
+std::vector<WallPoint> wall_points(const Pslg& pslg, const RegionBoundary& boundary,
                                    std::span<const LayerRule> rules);
 
 }  // namespace cover::layers

@@ -13,9 +13,12 @@
 #include <cover/text.hpp>
 
 #include "cdt/sides.hpp"
+#include "cuts/before_meshing/onto_arcs.hpp"
 #include "cuts/cut_segments.hpp"
+#include "cuts/look_budget.hpp"
 #include "cuts/periodic/mirror_cuts.hpp"
 #include "cuts/room_on_segment.hpp"
+#include "geom/curves/arc.hpp"
 #include "geom/vector.hpp"
 #include "layers/layer_rules.hpp"
 #include "layers/layered_region.hpp"
@@ -99,9 +102,13 @@ class Wishes {
   std::map<SegmentId, WallWish> by_segment_;
 };
 
-/// Those of rows that are counted, on straight walls: nothing else tells where they come to lie.
-bool is_settled(const Pslg& pslg, SegmentId segment, const LayerRule& rule) {
-  return rule.count > 0 && pslg.segments[segment.index()].circle == 0;
+/// Those of rows that are counted: nothing else tells where they come to lie.
+bool is_settled(const LayerRule& rule) { return rule.count > 0; }
+
+std::size_t count_straightened(const Pslg& pslg) {
+  return static_cast<std::size_t>(
+      std::count_if(pslg.segments.begin(), pslg.segments.end(),
+                    [](const Segment& s) { return (s.circle & kStraightened) != 0; }));
 }
 
 Status cut_walls(Prepared& prepared, const Options& options, bool settled_only) {
@@ -112,9 +119,9 @@ Status cut_walls(Prepared& prepared, const Options& options, bool settled_only) 
   Wishes wishes(pslg);
   for (const RegionBoundary& boundary : boundaries) {
     if (!has_layers(boundary)) continue;
-    for (const layers::WallPoint& p : layers::wall_points(boundary, options.layers)) {
+    for (const layers::WallPoint& p : layers::wall_points(pslg, boundary, options.layers)) {
       const SegmentId segment = boundary.segments[p.side];
-      if (settled_only && !is_settled(pslg, segment, options.layers[p.rule])) continue;
+      if (settled_only && !is_settled(options.layers[p.rule])) continue;
       wishes.add(segment, p);
     }
   }
@@ -127,8 +134,12 @@ Status cut_walls(Prepared& prepared, const Options& options, bool settled_only) 
                       cdt.points[cdt.triangles[at[s].triangle].v[at[s].edge]]);
     }
   }
-  const std::vector<SegmentCut> cuts = wishes.cuts(pslg);
+  const std::size_t straight = count_straightened(pslg);
+  LookBudget looks;
+  const std::vector<SegmentCut> cuts = onto_arcs(pslg, table, wishes.cuts(pslg), looks);
   if (cuts.empty()) return ok();
+  // On a chord that has to stay straight, other points have the heights.
+  if (count_straightened(pslg) > straight) return cut_walls(prepared, options, settled_only);
   std::vector<Point> where;
   for (const SegmentCut& cut : cuts)
     where.insert(where.end(), cut.points.begin(), cut.points.end());

@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
 
 #include <cover/cover_mesh.hpp>
 #include <cover/verify.hpp>
 
+#include "geom/vector.hpp"
 #include "support/inputs/inputs.hpp"
 #include "support/mesh_shape.hpp"
 
@@ -84,6 +88,78 @@ TEST(CutForLayers, ComesBeforeCutsToSizes) {
   EXPECT_GT(found.segments, 1U);
   EXPECT_EQ(found.complete, found.segments);
   EXPECT_EQ(found.fewest, 3);
+}
+
+/// A quarter of a disc of radius 1 around the origin: 'axis' from there to the right, 'rim' of so
+/// many chords.
+Input quarter(std::size_t chords) {
+  std::vector<Point> points{{0, 0}};
+  for (std::size_t k = 0; k <= chords; ++k) {
+    const double angle =
+        std::numbers::pi / 2 * static_cast<double>(k) / static_cast<double>(chords);
+    points.push_back({std::cos(angle), std::sin(angle)});
+  }
+  points[1] = {1, 0}, points.back() = {0, 1};
+  std::vector<IndexPair> sides;
+  for (std::uint32_t k = 0; k < points.size(); ++k)
+    sides.push_back({k, static_cast<std::uint32_t>((k + 1) % points.size())});
+  Input input = testing::segments_between(points, sides);
+  input.circles = {{{0, 0}, 1}};
+  for (std::size_t s = 0; s < input.segments.size(); ++s) {
+    const bool is_chord = s > 0 && s <= chords;
+    input.segments[s].name = s == 0 ? "axis" : is_chord ? "rim" : "side";
+    input.segments[s].circle = is_chord ? 1 : 0;
+  }
+  return input;
+}
+
+/// The heights of four rows, 0.01 and 1.4 times as thick each.
+const std::vector<double> kHeights{0.01, 0.024, 0.0436, 0.07104};
+
+TEST(CutForLayers, PutsPointsOnTheArcThatIsAWall) {
+  for (const bool box_method : {false, true}) {
+    SCOPED_TRACE(box_method);
+    Options options;
+    options.layers = {{"axis", "", 0.01, 1.4, 4}};
+    options.box_method = box_method;
+    if (!box_method) options.split_interfaces = Angle::degrees(90);
+    const Result<Prepared> prepared = prepare(quarter(9), options);
+    ASSERT_TRUE(prepared);
+    const std::vector<Point>& points = prepared->pslg.points;
+    for (const double height : kHeights) {
+      const auto at = std::find_if(points.begin(), points.end(), [&](const Point& p) {
+        return p.x > 0.5 && std::abs(p.y - height) < 1e-14;
+      });
+      ASSERT_NE(at, points.end()) << height;
+      EXPECT_NEAR(length(*at - Point{0, 0}), 1, 1e-15) << height;
+    }
+    options.sizes = {{"axis", 0.1, true}};
+    const Output output = testing::must_mesh(quarter(9), options);
+    EXPECT_EQ(testing::violations(output), "");
+    if (box_method) continue;  // the axis stays whole
+    const LayerReport& layers = output.report.regions[0].layers[0];
+    EXPECT_EQ(layers.complete, layers.segments);
+    EXPECT_EQ(layers.fewest, 4);
+  }
+}
+
+TEST(CutForLayers, TakesTheHeightsOnAChordWhoseArcHasNoRoom) {
+  Input input = quarter(9);
+  const double angle = std::numbers::pi / 36;  // between the first chord and its arc, in the void
+  input.points.push_back({0.998 * std::cos(angle), 0.998 * std::sin(angle)});
+  Options options;
+  options.layers = {{"axis", "", 0.01, 1.4, 4}};
+  options.split_interfaces = Angle::degrees(150);
+  const Result<Prepared> prepared = prepare(input, options);
+  ASSERT_TRUE(prepared);
+  const Point end = quarter(9).points[2];
+  for (const double height : kHeights) {
+    const auto at =
+        std::find_if(prepared->pslg.points.begin(), prepared->pslg.points.end(),
+                     [&](const Point& p) { return p.x > 0.5 && std::abs(p.y - height) < 1e-14; });
+    ASSERT_NE(at, prepared->pslg.points.end()) << height;
+    EXPECT_NEAR(cross(end - Point{1, 0}, *at - Point{1, 0}), 0, 1e-15) << height;
+  }
 }
 
 /// Names two lines that are images of each other, beside layers on `top` along a part of the width.
