@@ -79,7 +79,8 @@ Mesh MeshBuilder::build(const Team& team) {
   std::vector<std::uint32_t> last_of;
   team.each(2, [&](std::size_t k) {
     if (k == 0) {
-      tri.resize(points_.size(), edges_before_.back(), triangles_.size());  // OpenMesh does it alone
+      // OpenMesh does it in one thread.
+      tri.resize(points_.size(), edges_before_.back(), triangles_.size());
     } else {
       number_half_edges(team);
       last_of = last_half_edges(team);

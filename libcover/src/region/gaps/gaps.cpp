@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include <cover/text.hpp>
@@ -21,6 +22,10 @@ namespace {
 /// A void is thin where its area is less than this part of the area of the circle with its
 /// perimeter. A strip of 1 : 30 has 0.1, the lens between an arc of 20 degrees and its chord 0.09.
 constexpr double kThin = 0.1;
+
+/// Nor is a void an error of drawing that is as wide as this part of the polygons beside it: 20 m
+/// between lots of 50 m are a street.
+constexpr double kStreet = 0.2;
 
 /// What is known of a void from the segments around it.
 struct Void {
@@ -49,6 +54,66 @@ struct Gap {
 
   friend auto operator<=>(const Gap&, const Gap&) = default;
 };
+
+/// For each void one by the width of the polygons beside it, their mean along its walls.
+std::vector<double> per_width_beside(const Pslg& pslg, const Faces& faces,
+                                     const FacesBeside& beside) {
+  std::vector<double> per_width(faces.count, 0), walls(faces.count, 0);
+  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+    const Segment& segment = pslg.segments[s];
+    const double piece = length(pslg.points[segment.b.index()] - pslg.points[segment.a.index()]);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::uint32_t face = faces.of_segment[s][k], behind = faces.of_segment[s][1 - k];
+      if (beside.owner[face] != 0 || beside.owner[behind] == 0) continue;
+      per_width[face] += piece / beside.width[behind];
+      walls[face] += piece;
+    }
+  }
+  for (std::size_t f = 0; f < faces.count; ++f)
+    if (walls[f] > 0) per_width[f] /= walls[f];
+  return per_width;
+}
+
+/// Thin voids, and thin parts of wider ones.
+struct Thin {
+  std::vector<Gap> gaps;
+  std::size_t meant = 0;  ///< voids as wide as streets; narrower parts may be among the gaps
+};
+
+Thin find_thin(const Pslg& pslg, const Faces& faces, const SeededFaces& seeded,
+               std::span<const Void> voids, std::vector<bool> is_between) {
+  const std::vector<FaceMeasure> measures = measure_faces(faces);
+  FacesBeside beside;
+  for (std::size_t f = 0; f < faces.count; ++f) {
+    beside.width.push_back(2 * measures[f].area / voids[f].perimeter);
+    const bool is_polygon = !seeded.is_void[f] && seeded.seed[f];
+    beside.owner.push_back(is_polygon ? static_cast<std::uint32_t>(*seeded.seed[f]) + 1 : 0);
+  }
+  const auto is_thin_void = [&](std::size_t f) {
+    return f != kOutside && is_between[f] && is_thin(measures[f].area, voids[f].perimeter);
+  };
+  beside.is_looked_at = is_between;
+  Thin thin;
+  std::vector<bool> is_of_two_widths(faces.count);
+  for (const OpenGap& gap : open_gaps(faces, beside)) {
+    // Streets among narrow gaps that open to them are thin as a whole as well.
+    if (is_thin_void(gap.face) && gap.width() * kMeant > beside.width[gap.face]) continue;
+    if (!is_thin(gap.area, gap.length)) continue;
+    thin.gaps.push_back({gap.width(), gap.area, gap.where, true});
+    is_of_two_widths[gap.face] = true;
+  }
+  const std::vector<double> per_width = per_width_beside(pslg, faces, beside);
+  for (std::size_t f = kOutside + 1; f < faces.count; ++f) {
+    if (!is_thin_void(f)) continue;
+    if (is_of_two_widths[f] || beside.width[f] * per_width[f] > kStreet) {
+      ++thin.meant;
+    } else {
+      thin.gaps.push_back({beside.width[f], measures[f].area,
+                           measures[f].inside.value_or(measures[f].smallest_side.first), false});
+    }
+  }
+  return thin;
+}
 
 /// Leaves out the gaps, sorted by width, above the widest step between two widths, if it is wide.
 /// What is meant is not most of them: few gaps that rounding made do not excuse hundreds of others.
@@ -98,28 +163,11 @@ void warn_of_gaps(const Pslg& pslg, const Faces& faces, const SeededFaces& seede
   for (std::size_t f = 0; f < faces.count; ++f)
     is_between[f] = seeded.is_void[f] && voids[f].is_between;
   if (std::find(is_between.begin(), is_between.end(), true) == is_between.end()) return;
-  const std::vector<FaceMeasure> measures = measure_faces(faces);
-  std::vector<Gap> found;
-  for (std::size_t f = kOutside + 1; f < faces.count; ++f) {
-    if (!is_between[f] || !is_thin(measures[f].area, voids[f].perimeter)) continue;
-    found.push_back({2 * measures[f].area / voids[f].perimeter, measures[f].area,
-                     measures[f].inside.value_or(measures[f].smallest_side.first), false});
-    is_between[f] = false;
-  }
-  FacesBeside beside;
-  for (std::size_t f = 0; f < faces.count; ++f) {
-    beside.width.push_back(2 * measures[f].area / voids[f].perimeter);
-    const bool is_polygon = !seeded.is_void[f] && seeded.seed[f];
-    beside.owner.push_back(is_polygon ? static_cast<std::uint32_t>(*seeded.seed[f]) + 1 : 0);
-  }
-  beside.is_looked_at = std::move(is_between);
-  for (const OpenGap& gap : open_gaps(faces, beside)) {
-    if (is_thin(gap.area, gap.length))
-      found.push_back({2 * gap.area / gap.length, gap.area, gap.where, true});
-  }
+  Thin thin = find_thin(pslg, faces, seeded, voids, std::move(is_between));
+  std::vector<Gap>& found = thin.gaps;
   if (found.empty()) return;
   std::sort(found.begin(), found.end());
-  const std::size_t meant = leave_out_meant(found);
+  const std::size_t meant = thin.meant + leave_out_meant(found);
   const double widest = found.back().width;
   // The largest first.
   std::sort(found.begin(), found.end(), [](const Gap& a, const Gap& b) {

@@ -64,6 +64,7 @@ struct Stretch {
   double width = 0;
   double per_beside = 0;  ///< one by the mean width of the polygons
   Point where;
+  std::uint32_t face = 0;  ///< the void
 };
 
 class OpenGaps {
@@ -231,7 +232,8 @@ class OpenGaps {
     }
     const Point middle = at_part(at(wall.a), at(wall.b), from.part + part / 2);
     stretches.push_back({from.point, part * length(along), width, per_width(wall.face, from.face),
-                         middle + width / 2 / length(along) * left_normal(along)});
+                         middle + width / 2 / length(along) * left_normal(along),
+                         faces_.of_triangle[wall.edge.triangle]});
   }
 
   static std::vector<OpenGap> gaps(const std::vector<Stretch>& stretches, UnionFind& joined) {
@@ -249,6 +251,7 @@ class OpenGaps {
       if (s.length <= sum.longest) continue;
       sum.longest = s.length;
       sum.gap.where = s.where;
+      sum.gap.face = s.face;
     }
     std::vector<OpenGap> found;
     for (const auto& [point, sum] : sums) {

@@ -13,8 +13,12 @@ namespace cover {
 /// A part of a void where different polygons face each other.
 struct OpenGap {
   double area = 0;
-  double length = 0;  ///< of its walls together
-  Point where;        ///< inside, where it is straight for longest
+  double length = 0;       ///< of its walls together
+  Point where;             ///< inside, where it is straight for longest
+  std::uint32_t face = 0;  ///< the void there
+
+  /// As wide as a strip of its area and length.
+  [[nodiscard]] double width() const { return 2 * area / length; }
 };
 
 /// What open_gaps() asks of faces. By face.

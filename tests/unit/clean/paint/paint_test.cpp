@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "support/inputs/soups.hpp"
 
 namespace cover {
@@ -183,6 +185,32 @@ TEST(Paint, AdviceOnThinVoidsLeavesOutThoseThatAreMeant) {
   ASSERT_TRUE(closed) << closed.error().message;
   EXPECT_FALSE(closed->tells("far wider"));
   EXPECT_EQ(closed->table.regions.size(), 9U);
+}
+
+/// Four blocks of four lots between streets, in a frame: all gaps are one void, thin as a whole.
+TEST(Paint, AdviceOnGapsThatOpenToStreetsIsForTheGaps) {
+  constexpr double kLot = 50, kGap = 0.06, kStreet = 20;
+  Input input;
+  const std::array<double, 4> at{0, kLot + kGap, 2 * kLot + kGap + kStreet,
+                                 3 * kLot + 2 * kGap + kStreet};
+  for (const double x : at) {
+    for (const double y : at)
+      add_polygon(input, {{x, y}, {x + kLot, y}, {x + kLot, y + kLot}, {x, y + kLot}}, "lot");
+  }
+  const double end = at.back() + kLot + kGap;
+  add_polygon(input, {{-40, -40}, {end + 40, -40}, {end + 40, -kGap}, {-40, -kGap}}, "frame");
+  add_polygon(input, {{-40, end}, {end + 40, end}, {end + 40, end + 40}, {-40, end + 40}}, "frame");
+  add_polygon(input, {{-40, -kGap}, {-kGap, -kGap}, {-kGap, end}, {-40, end}}, "frame");
+  add_polygon(input, {{end, -kGap}, {end + 40, -kGap}, {end + 40, end}, {end, end}}, "frame");
+  const auto out = clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_TRUE(out->tells("(1 far wider one is taken as meant)"));
+  EXPECT_TRUE(out->tells("with --weld 8e-04")) << out->report.notes.front().message;
+  Options weld;
+  weld.weld = 8e-4;
+  const auto closed = clean(input, weld);
+  ASSERT_TRUE(closed) << closed.error().message;
+  EXPECT_FALSE(closed->tells("thin void"));
 }
 
 /// A border that is off by a little does not make others, off by two hundred times it, look meant.
