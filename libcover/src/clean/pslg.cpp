@@ -311,7 +311,8 @@ Result<Pslg> make_pslg(const Input& input, const Options& options, Report& repor
   if (auto error = find_bad_arcs(input)) return *error;
   if (is_empty(input) && !options.hull) {
     return Error{ErrorCode::no_segments,
-                 fmt::format("{}: there are no segments and no polygons{}{}", name_of(input),
+                 fmt::format("{}: there are no segments and no polygons{}{}{}", name_of(input),
+                             input.points.size() > 2 ? "; --hull meshes the points" : "",
                              input.warnings.empty() ? "" : "; ", listed(input.warnings)),
                  {},
                  {}};

@@ -16,6 +16,7 @@
 #include <cover/option_ranges.hpp>
 #include <cover/text.hpp>
 
+#include "base/containers/union_find.hpp"
 #include "base/numbers.hpp"
 #include "clean/ends/loose_ends.hpp"
 #include "faces/face_measures.hpp"
@@ -370,11 +371,20 @@ std::optional<Error> tell_open(const Pslg& pslg, std::span<const IndexPair> segm
   return std::nullopt;
 }
 
+/// Whether enough different points for a triangle are left once gaps are closed.
+bool leave_a_triangle(const std::vector<LooseGap>& gaps, std::size_t points) {
+  UnionFind joined(points);
+  for (const LooseGap& gap : gaps) joined.unite(gap.loose, gap.other);
+  std::size_t left = 0;
+  for (std::uint32_t v = 0; v < points; ++v) left += joined.find(v) == v ? 1 : 0;
+  return left >= 3;
+}
+
 /// Gaps that keep outlines open.
 void tell_gaps(const Pslg& pslg, std::span<const IndexPair> segments, Error& error) {
   const double extent = box_of_ends(pslg, segments).extent();
   const std::vector<LooseGap> gaps = find_loose_gaps(pslg.points, segments, kNamedGap * extent);
-  if (!gaps.empty())
+  if (!gaps.empty() && leave_a_triangle(gaps, pslg.points.size()))
     error.message +=
         fmt::format("; {}: {} closes such gaps", nearly_meet(pslg, gaps), weld_for(gaps, extent));
 }

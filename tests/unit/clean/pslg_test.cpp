@@ -232,6 +232,10 @@ TEST(MakePslg, RefusesIndicesOutOfRange) {
 TEST(MakePslg, RefusesAnInputWithoutSegments) {
   EXPECT_EQ(refusal(poly({{0, 0}, {1, 0}, {0, 1}}, {})).code, ErrorCode::no_segments);
   EXPECT_EQ(refusal({}).code, ErrorCode::no_segments);
+  EXPECT_EQ(refusal(poly({{0, 0}, {1, 0}, {0, 1}}, {})).message,
+            "in.poly: there are no segments and no polygons; --hull meshes the points");
+  EXPECT_EQ(refusal(poly({{0, 0}, {1, 0}}, {})).message,
+            "in.poly: there are no segments and no polygons");
 }
 
 }  // namespace

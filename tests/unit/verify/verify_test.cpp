@@ -1,6 +1,7 @@
 // verify_cover() on good meshes, and on every kind of damage done to them.
 #include <cover/verify.hpp>
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <cover/cover_mesh.hpp>
 
 #include "cdt/cdt.hpp"
+#include "geom/vector.hpp"
 #include "support/inputs/inputs.hpp"
 #include "support/inputs/shapes.hpp"
 
@@ -408,24 +410,45 @@ TEST(Verify, RegionIdsCountWhereSegmentsMayBeSplit) {
   EXPECT_TRUE(has(d.check({.allow_split = true}), 2, "RegionId 2"));
 }
 
+/// A vertex close to the first edge of triangle `t`, at `share` of it, off it by `e` of the height.
+void flatten(Device& d, std::size_t t, double share, double e) {
+  const auto v = d.mesh.triangles[t];
+  const Point a = d.mesh.points[v[0]], b = d.mesh.points[v[1]], c = d.mesh.points[v[2]];
+  const auto steiner = static_cast<std::uint32_t>(d.mesh.points.size());
+  const Point foot = a + share * (b - a);
+  d.mesh.points.push_back(foot + e * (c - foot));
+  d.mesh.triangles[t] = {v[0], v[1], steiner};
+  d.mesh.triangles.push_back({v[1], v[2], steiner});
+  d.mesh.triangles.push_back({v[2], v[0], steiner});
+  d.mesh.region.insert(d.mesh.region.end(), 2, d.mesh.region[t]);
+  d.mesh.material.insert(d.mesh.material.end(), 2, d.mesh.material[t]);
+}
+
 TEST(Verify, BoundMissed) {
   Device d;
-  // A Steiner vertex close to an inner edge of some triangle makes an angle near 180 degrees.
-  const auto t = d.mesh.triangles[0];
-  const Point a = d.mesh.points[t[0]], b = d.mesh.points[t[1]], c = d.mesh.points[t[2]];
-  const auto v = static_cast<std::uint32_t>(d.mesh.points.size());
-  const double e = 1e-6;
-  d.mesh.points.push_back(
-      {(a.x + b.x) / 2 * (1 - e) + c.x * e, (a.y + b.y) / 2 * (1 - e) + c.y * e});
-  d.mesh.triangles[0] = {t[0], t[1], v};
-  d.mesh.triangles.push_back({t[1], t[2], v});
-  d.mesh.triangles.push_back({t[2], t[0], v});
-  d.mesh.region.insert(d.mesh.region.end(), 2, d.mesh.region[0]);
-  d.mesh.material.insert(d.mesh.material.end(), 2, d.mesh.material[0]);
+  flatten(d, 0, 0.5, 1e-6);
   const Verification found = d.check();
   EXPECT_TRUE(has(found, 3, "the bound is")) << all_of(found);
   EXPECT_EQ(found.violation_count, 1U);
   EXPECT_EQ(all_of(d.check({.bound = false})), "");
+}
+
+/// Where another triangle of the region has a larger angle, by rounding alone.
+TEST(Verify, TheAngleToldIsThatOfTheTriangleNamed) {
+  Device d;
+  flatten(d, 0, 0.5, 1e-2);
+  const auto other = static_cast<std::size_t>(
+      std::find(d.mesh.region.begin() + 1, d.mesh.region.end(), d.mesh.region[0]) -
+      d.mesh.region.begin());
+  flatten(d, other, 1e-15, 1e-17);
+  const Verification found = d.check();
+  const auto v = d.mesh.triangles[0];
+  const double nu = least_nu(d.mesh.points[v[0]], d.mesh.points[v[1]], d.mesh.points[v[2]]);
+  EXPECT_TRUE(has(found, 3, "triangle 0 with")) << all_of(found);
+  EXPECT_TRUE(
+      has(found, 3,
+          fmt::format("an angle of {:.9g} degrees", Angle::radians(nu).supplement().in_degrees())))
+      << all_of(found);
 }
 
 TEST(Verify, GarbageIsNamedAndHarmless) {

@@ -15,7 +15,8 @@ namespace {
 struct Worst {
   double nu = std::numbers::pi;
   double nu_rounded = std::numbers::pi;
-  std::uint32_t triangle = 0;
+  std::uint32_t triangle = 0;  ///< that of nu_rounded, and
+  double its_nu = std::numbers::pi;
 };
 
 }  // namespace
@@ -25,8 +26,10 @@ BoundCheck verify_bound(const TriangleSoup& mesh, std::span<const RegionId> regi
                         std::span<const std::uint32_t> without_room, const Team& team) {
   const auto merge = [](Worst& w, const Worst& other) {
     w.nu = std::min(w.nu, other.nu);
-    if (other.nu_rounded < w.nu_rounded)
-      w.nu_rounded = other.nu_rounded, w.triangle = other.triangle;
+    if (other.nu_rounded >= w.nu_rounded) return;
+    w.nu_rounded = other.nu_rounded;
+    w.triangle = other.triangle;
+    w.its_nu = other.its_nu;
   };
   const auto add = [&](Worst& w, std::size_t t) {
     const auto& v = mesh.triangles[t];
@@ -34,7 +37,7 @@ BoundCheck verify_bound(const TriangleSoup& mesh, std::span<const RegionId> regi
     const double nu = least_nu(a, b, c);
     const double rounded = nu + angle_rounding(a, b, c, scale);
     const bool has_room = !std::binary_search(without_room.begin(), without_room.end(), t);
-    merge(w, {nu, has_room ? rounded : std::numbers::pi, static_cast<std::uint32_t>(t)});
+    merge(w, {nu, has_room ? rounded : std::numbers::pi, static_cast<std::uint32_t>(t), nu});
   };
   std::vector<Worst> worst(domain.nu_opt.size());
   fold_by_region(
@@ -45,7 +48,7 @@ BoundCheck verify_bound(const TriangleSoup& mesh, std::span<const RegionId> regi
     const double needed = bound * kNuRounded;
     if (worst[r].nu_rounded < needed) {
       check.missed.push_back(
-          {RegionId(r), worst[r].triangle, Angle::radians(worst[r].nu), Angle::radians(bound)});
+          {RegionId(r), worst[r].triangle, Angle::radians(worst[r].its_nu), Angle::radians(bound)});
     } else if (worst[r].nu < needed) {
       ++check.within_rounding;
     }

@@ -16,8 +16,8 @@ namespace cover {
 /// A region that misses its bound, as pi minus angle.
 struct BoundMissed {
   RegionId region;
-  std::uint32_t triangle = 0;  ///< the one that misses it most
-  Angle nu;                    ///< the smallest of the region
+  std::uint32_t triangle = 0;  ///< the one that misses it most, with rounding in its favour
+  Angle nu;                    ///< of this triangle
   Angle bound;
 };
 

@@ -97,6 +97,15 @@ TEST(LooseEnds, TheToleranceThatIsAdvisedClosesWiderGaps) {
   EXPECT_EQ(welded->table.regions.size(), 2U);
 }
 
+TEST(LooseEnds, NoToleranceThatLeavesNothingIsAdvised) {
+  const Input input =  // two segments that are nearly one
+      testing::segments_between({{0, 0}, {1, 0}, {0, 1e-12}, {1, 1e-12}}, {{0, 1}, {2, 3}});
+  const auto out = clean(input);
+  ASSERT_FALSE(out);
+  EXPECT_EQ(out.error().message.find("--weld auto"), std::string::npos) << out.error().message;
+  EXPECT_NE(out.error().message.find("--hull"), std::string::npos) << out.error().message;
+}
+
 TEST(LooseEnds, WhatStaysOutOfTheMeshIsTold) {
   const auto near = clean(closed_beside_open(0.01));
   ASSERT_TRUE(near) << near.error().message;
