@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::uint32_t kCutAround = 16;  ///< triangles of it whose sides may be cut
 constexpr double kEnd = 0.01;             ///< of a side: no cut is nearer to its ends
-constexpr std::size_t kKicked = 5;        ///< trials that are kicked
+constexpr std::size_t kKicked = 5;        ///< cuts that are kicked
 
 /// Evaluations that a search has in any case, and that may be spent for each triangle it mends.
 constexpr std::uint64_t kInAnyCase = 15'000'000, kForOne = 150'000;
@@ -122,7 +122,7 @@ class CutSearch {
 
  private:
   /// A triangulation of an excerpt that is better than before, and the cut that it has, if any.
-  struct Trial {
+  struct ImprovedExcerpt {
     MutableMesh mesh;
     Merit merit;
     std::uint32_t side = kNone;  ///< of the excerpt
@@ -131,7 +131,7 @@ class CutSearch {
   /// Returns the triangles that changed.
   std::vector<std::uint32_t> attempt(std::uint32_t t, Budget& budget) {
     Excerpt excerpt = whole_.excerpt_around(t, effort::kExcerpt);
-    Trial best{excerpt.mesh, merit_of(excerpt.mesh, goal_)};
+    ImprovedExcerpt best{excerpt.mesh, merit_of(excerpt.mesh, goal_)};
     if (kick_and_improve(best.mesh, goal_, budget))
       return whole_.put_back(excerpt, best.mesh, best.side);
     if (!whole_.may_cut() || !try_cuts(excerpt, best, budget)) return {};
@@ -140,8 +140,8 @@ class CutSearch {
 
   /// Tries all cuts near triangle 0 of `excerpt`, and kicks what comes of the most promising ones.
   /// Returns whether `best` has become better.
-  bool try_cuts(const Excerpt& excerpt, Trial& best, Budget& budget) const {
-    std::vector<Trial> trials;
+  bool try_cuts(const Excerpt& excerpt, ImprovedExcerpt& best, Budget& budget) const {
+    std::vector<ImprovedExcerpt> cuts;
     const std::uint32_t last =
         std::min(kCutAround, static_cast<std::uint32_t>(excerpt.mesh.triangles.size()));
     for (std::uint32_t t = 0; t < last && !budget.is_used_up(); ++t) {
@@ -151,25 +151,25 @@ class CutSearch {
         if (!whole_.is_free(side_index(excerpt.outside[side_index(n)]))) continue;
         const Point a = excerpt.mesh.corner(t, e.next()), b = excerpt.mesh.corner(t, e.previous());
         for (const Point& place : places_on(a, b, excerpt.mesh)) {
-          if (auto trial = cut_at(excerpt, side_index(n), place, budget)) {
-            trials.push_back(*std::move(trial));
+          if (auto cut = cut_at(excerpt, side_index(n), place, budget)) {
+            cuts.push_back(*std::move(cut));
           }
         }
       }
     }
-    const auto is_less_bad = [](const Trial& x, const Trial& y) {
+    const auto is_less_bad = [](const ImprovedExcerpt& x, const ImprovedExcerpt& y) {
       return x.merit.above != y.merit.above ? x.merit.above < y.merit.above
                                             : x.merit.large < y.merit.large;
     };
-    std::stable_sort(trials.begin(), trials.end(), is_less_bad);
+    std::stable_sort(cuts.begin(), cuts.end(), is_less_bad);
     const Merit before = best.merit;
     const auto is_kept = [&](const Merit& now) { return is_cut_kept(now, before, goal_); };
-    for (std::size_t k = 0; k < std::min(kKicked, trials.size()); ++k) {
-      if (!is_kept(trials[k].merit)) {
-        trials[k].merit = improve_by_kicks(trials[k].mesh, goal_, trials[k].merit, budget);
+    for (std::size_t k = 0; k < std::min(kKicked, cuts.size()); ++k) {
+      if (!is_kept(cuts[k].merit)) {
+        cuts[k].merit = improve_by_kicks(cuts[k].mesh, goal_, cuts[k].merit, budget);
       }
-      if (!is_kept(trials[k].merit)) continue;
-      best = std::move(trials[k]);
+      if (!is_kept(cuts[k].merit)) continue;
+      best = std::move(cuts[k]);
       return true;
     }
     return false;
@@ -186,8 +186,8 @@ class CutSearch {
   }
 
   /// The excerpt with `side` cut at `place`, improved; nothing where that cannot be.
-  [[nodiscard]] std::optional<Trial> cut_at(const Excerpt& excerpt, std::uint32_t side, Point place,
-                                            Budget& budget) const {
+  [[nodiscard]] std::optional<ImprovedExcerpt> cut_at(const Excerpt& excerpt, std::uint32_t side,
+                                                      Point place, Budget& budget) const {
     const std::uint32_t partner = whole_.partner(side_index(excerpt.outside[side]));
     std::uint32_t other = kNone;
     if (partner != kNone) {
@@ -195,12 +195,12 @@ class CutSearch {
       if (at == excerpt.outside.end()) return std::nullopt;
       other = static_cast<std::uint32_t>(at - excerpt.outside.begin());
     }
-    Trial trial{excerpt.mesh, {}, side};
-    trial.mesh.points[excerpt.spare] = place;
-    if (!cut_side(trial.mesh, side, other, excerpt.spare)) return std::nullopt;
-    improve_with_slack(trial.mesh, budget);
-    trial.merit = merit_of(trial.mesh, goal_);
-    return trial;
+    ImprovedExcerpt cut{excerpt.mesh, {}, side};
+    cut.mesh.points[excerpt.spare] = place;
+    if (!cut_side(cut.mesh, side, other, excerpt.spare)) return std::nullopt;
+    improve_with_slack(cut.mesh, budget);
+    cut.merit = merit_of(cut.mesh, goal_);
+    return cut;
   }
 
   MutableJoinedMesh& whole_;

@@ -70,8 +70,8 @@ constexpr std::size_t kMany = 4;
 /// Parcels 1 mm apart keep 0.87; Voronoi cells, grains and maps 0.05 to 0.56.
 constexpr double kHardlyFewer = 0.75;
 
-/// A mesh, and what is left above the target in it.
-struct Trial {
+/// Work, and what is left above the target in its meshes.
+struct JudgedWork {
   Work work;
   CutResult left{};
   std::shared_ptr<MutableJoinedMesh> joined{};  ///< of `work`, which takes long; null: to be made
@@ -97,31 +97,31 @@ class Rounds {
 
   /// Halves segments beside the triangles that are left and meshes again. False if that takes more
   /// than `most` points.
-  Result<bool> halve(Trial& trial, std::size_t most) const {
+  Result<bool> halve(JudgedWork& judged, std::size_t most) const {
     std::vector<RegionBoundary> boundaries;
     Result<bool> cut =
-        errors_as_values("cut segments", [&] { return cut_further(trial, boundaries, most); });
+        errors_as_values("cut segments", [&] { return cut_further(judged, boundaries, most); });
     if (!cut || !*cut) return cut;
-    const auto meshed = mesh_changed(trial.work, std::move(boundaries), options_, callbacks_);
+    const auto meshed = mesh_changed(judged.work, std::move(boundaries), options_, callbacks_);
     if (!meshed) return meshed.error();
     return true;
   }
 
   /// Works on the triangles above the target if they are few; counts them.
-  Status improve(Trial& trial) {
+  Status improve(JudgedWork& judged) {
     if (Status status = begin_stage("cut", callbacks_); !status) return status;
     return errors_as_values("cut and improve", [&]() -> Status {
-      trial.joined = joined(trial.work);
-      trial.left = {trial.joined->triangles_above().size()};
-      if (trial.left.above > 0 && kMany * trial.left.above <= trial.work.pslg.points.size()) {
+      judged.joined = joined(judged.work);
+      judged.left = {judged.joined->triangles_above().size()};
+      if (judged.left.above > 0 && kMany * judged.left.above <= judged.work.pslg.points.size()) {
         Budget part = budget_.share(2);
-        const Result<CutResult> left = cut_and_improve(trial.work, *trial.joined, options_, part);
+        const Result<CutResult> left = cut_and_improve(judged.work, *judged.joined, options_, part);
         if (!left) return left.error();
-        trial.left = *left;
-        if (trial.joined->has_changed()) trial.joined.reset();
+        judged.left = *left;
+        if (judged.joined->has_changed()) judged.joined.reset();
         budget_.take_back(part);
         // What is there for searches that mend is not there for others.
-        if (trial.left.was_in_vain) budget_.spend(std::exchange(to_spare_, 0));
+        if (judged.left.was_in_vain) budget_.spend(std::exchange(to_spare_, 0));
       }
       return ok();
     });
@@ -137,12 +137,12 @@ class Rounds {
     return std::make_shared<MutableJoinedMesh>(work.pslg, work.boundaries, work.meshes, goal_);
   }
 
-  Result<bool> cut_further(Trial& trial, std::vector<RegionBoundary>& boundaries,
+  Result<bool> cut_further(JudgedWork& judged, std::vector<RegionBoundary>& boundaries,
                            std::size_t most) const {
-    Work& work = trial.work;
-    if (trial.joined == nullptr) trial.joined = joined(work);
-    const std::vector<SegmentId> halved = trial.joined->segments_to_halve();
-    trial.joined.reset();  // of the work as it was
+    Work& work = judged.work;
+    if (judged.joined == nullptr) judged.joined = joined(work);
+    const std::vector<SegmentId> halved = judged.joined->segments_to_halve();
+    judged.joined.reset();  // of the work as it was
     Result<bool> cut =
         halve_segments(work.pslg, work.table, options_, work.report.input_points, halved, most);
     if (!cut || !*cut) return cut;
@@ -176,7 +176,7 @@ class Prospects {
   }
 
   /// After a round that left `now`, of which the best left `best`.
-  [[nodiscard]] bool are_there(const Trial& now, const CutResult& best) const {
+  [[nodiscard]] bool are_there(const JudgedWork& now, const CutResult& best) const {
     const std::size_t points = now.work.pslg.points.size();
     if (best.above == 0 || points >= kMostPoints * points_) return false;
     if (is_mended_after_ && kFewToMend * now.left.above <= points) return false;
@@ -192,7 +192,7 @@ class Prospects {
   }
 
   /// The points that the next round may lead to.
-  [[nodiscard]] std::size_t most_points(const Trial& now) const {
+  [[nodiscard]] std::size_t most_points(const JudgedWork& now) const {
     const std::size_t for_all = now.work.pslg.points.size() + kMostCutForOne * now.left.above;
     return std::max(std::min(kMostPoints * points_, for_all), kFewPoints);
   }
@@ -207,9 +207,9 @@ class Prospects {
 
 /// Halves segments and improves in turn, as long as that may be of use. Keeps in `best` what leaves
 /// the fewest triangles above the target.
-Status halve_in_rounds(Trial& best, Rounds& rounds, Prospects prospects) {
+Status halve_in_rounds(JudgedWork& best, Rounds& rounds, Prospects prospects) {
   Status status = rounds.improve(best);
-  Trial now = best;
+  JudgedWork now = best;
   best.joined.reset();
   for (int k = 0; k < kRounds && status && prospects.are_there(now, best.left); ++k) {
     const Result<bool> halved = rounds.halve(now, prospects.most_points(now));
@@ -246,7 +246,7 @@ Status cut_until_met(Work& work, const Options& options, const Callbacks& callba
   const std::size_t points = work.pslg.points.size();
   Rounds rounds(options, callbacks, points);
   const Prospects prospects(options, work, until);
-  Trial best{std::move(work)};
+  JudgedWork best{std::move(work)};
   Status status = halve_in_rounds(best, rounds, prospects);
   if (!status) return status;
   work = std::move(best.work);

@@ -40,7 +40,7 @@ struct Last {
   double part;                   ///< of smallest angles, that is kept there
   std::uint64_t times;           ///< as many places for each
   std::size_t most;              ///< if so many are left
-  std::uint64_t part_of_places;  ///< one in so many of Places::last, at most
+  std::uint64_t part_of_places;  ///< one in so many of ThinCutsEffort::last, at most
 };
 /// Of the smallest angles, where nothing else mends what is left: with no limit at all triangles of
 /// a few units in the last place came in between, whose angles are rounding's (110 degrees, where
@@ -67,13 +67,13 @@ constexpr std::uint64_t kPlacesForTheLast = 100'000;
 /// three keep one or two obtuse triangles more.
 constexpr std::uint64_t kPlacesPerVertex = 10'000;
 
-/// The places of all that is done.
-struct Places {
+/// How many places are tried in all that is done.
+struct ThinCutsEffort {
   ThinEffort thinning;
   std::uint64_t last;  ///< at most, for one way to mend the last triangles
 };
 
-Places places_in_large(Effort effort, std::size_t vertices) {
+ThinCutsEffort effort_in_large(Effort effort, std::size_t vertices) {
   switch (effort) {
     case Effort::fast:
       return {{30, 200'000 + 10 * vertices, {3'000, 300'000}}, 300'000};
@@ -86,13 +86,13 @@ Places places_in_large(Effort effort, std::size_t vertices) {
 }
 
 /// For a mesh of `all` vertices, so many of which are new.
-Places places_of(Effort effort, std::size_t all, std::size_t vertices) {
-  Places places = places_in_large(effort, vertices);
+ThinCutsEffort thin_cuts_effort(Effort effort, std::size_t all, std::size_t vertices) {
+  ThinCutsEffort out = effort_in_large(effort, vertices);
   const std::uint64_t most = (effort == Effort::thorough ? 10 : 1) * kPlacesPerVertex * all;
-  places.last = std::min(places.last, most);
-  MendEffort& mending = places.thinning.mending;
+  out.last = std::min(out.last, most);
+  MendEffort& mending = out.thinning.mending;
   mending.places_at_most = std::min(mending.places_at_most, most);
-  return places;
+  return out;
 }
 
 /// By region: no angle becomes smaller than the target, or than what there is; and where triangles
@@ -237,19 +237,19 @@ class Thinning {
     trial.before = new_vertices();
     const std::vector<WantedAngles> asked = angles_of(work_.meshes, options_);
     std::vector<WantedAngles> angles = asked;
-    Places places = places_of(options_.effort, mesh_.points.size(), trial.before);
-    places.thinning.mending.stop = stop;
+    ThinCutsEffort effort = thin_cuts_effort(options_.effort, mesh_.points.size(), trial.before);
+    effort.thinning.mending.stop = stop;
     JoinedMesh start = mesh_;
     const std::size_t bad_before = MeshWithUndo(start, angles).bad();
-    if (mends_first) angles = angles_after_mending(start, asked, places);
+    if (mends_first) angles = angles_after_mending(start, asked, effort);
     MeshWithUndo thinning(start, angles);
-    std::size_t bad = thin_mesh(thinning, places.thinning).after;
+    std::size_t bad = thin_mesh(thinning, effort.thinning).after;
     JoinedMesh result = thinning.result(start);
     for (const Last& last : kLast) {
       if (bad == 0 || bad > last.most) continue;
       MeshWithUndo mending(result, angles_for_the_last(result, last.part, asked, angles));
       bad = mend_what_is_left(
-                mending, {last.times * kPlacesForTheLast, places.last / last.part_of_places, stop})
+                mending, {last.times * kPlacesForTheLast, effort.last / last.part_of_places, stop})
                 .after;
       result = mending.result(result);
     }
@@ -263,14 +263,14 @@ class Thinning {
   /// Mends bad triangles of `mesh` in any way. Returns the angles that are kept from then on.
   static std::vector<WantedAngles> angles_after_mending(JoinedMesh& mesh,
                                                         const std::vector<WantedAngles>& asked,
-                                                        const Places& places) {
-    const MendEffort effort{kPlacesForTheLast, places.thinning.mending.places_at_most,
-                            places.thinning.mending.stop};
+                                                        const ThinCutsEffort& effort) {
+    const MendEffort for_all{kPlacesForTheLast, effort.thinning.mending.places_at_most,
+                             effort.thinning.mending.stop};
     std::vector<WantedAngles> angles = asked;
     for (const double part : kFirstParts) {
       angles = angles_for_the_last(mesh, part, asked, angles);
       MeshWithUndo mending(mesh, angles);
-      mend_what_is_left(mending, effort);
+      mend_what_is_left(mending, for_all);
       mesh = mending.result(mesh);
       if (mending.bad() == 0) break;
     }

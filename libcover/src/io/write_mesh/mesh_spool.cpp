@@ -85,7 +85,7 @@ std::vector<std::uint64_t> MeshSpool::first_triangles() const {
   return first;
 }
 
-Status MeshSpool::each_input_vertex(const Places& use) const {
+Status MeshSpool::each_input_vertex(const Points& use) const {
   std::vector<Point> room;
   for (std::size_t done = 0; done < input_vertices_; done += room.size()) {
     room.resize(std::min(kVerticesAtATime, input_vertices_ - done));
@@ -95,7 +95,7 @@ Status MeshSpool::each_input_vertex(const Places& use) const {
   return ok();
 }
 
-Status MeshSpool::each_vertex(const Places& use) const {
+Status MeshSpool::each_vertex(const Points& use) const {
   if (Status status = each_input_vertex(use); !status) return status;
   std::vector<Point> room;
   for (std::size_t r = 0; r < places_.size(); ++r) {

@@ -72,12 +72,12 @@ class MeshSpool {
   // Passes over the file, in the order of a Mesh. Errors of all: cannot_write
   // REQUIRES: has_all()
 
-  using Places = std::function<void(std::span<const Point>)>;
+  using Points = std::function<void(std::span<const Point>)>;
   using Corners = std::function<void(std::size_t region, std::span<const IndexTriple>)>;
   using Angles = std::function<void(std::span<const double>)>;
 
   /// The vertices, some at a time.
-  Status each_vertex(const Places& use) const;
+  Status each_vertex(const Points& use) const;
   /// The triangles, region by region.
   Status each_triangle(const Corners& use) const;
   /// Those of some regions, in this order.
@@ -88,7 +88,7 @@ class MeshSpool {
   // Of the input alone.
   // REQUIRES: has_input()
 
-  Status each_input_vertex(const Places& use) const;
+  Status each_input_vertex(const Points& use) const;
   [[nodiscard]] Result<std::vector<Point>> input_points() const;
 
   // Some of what one region has, from its `first` on. Errors of all: cannot_write

@@ -72,7 +72,7 @@ bool is_obtuse(const MutableMesh& mesh, std::uint32_t t, Point origin) {
 }
 
 /// Angles, and the first places where they are.
-struct Places {
+struct CountedAngles {
   std::size_t count = 0;
   std::vector<Point> where;
 
@@ -80,7 +80,7 @@ struct Places {
     ++count;
     if (where.size() < kPlaces) where.push_back(at);
   }
-  void add(const Places& later) {
+  void add(const CountedAngles& later) {
     count += later.count;
     const std::size_t more = std::min(later.where.size(), kPlaces - where.size());
     where.insert(where.end(), later.where.begin(),
@@ -90,8 +90,8 @@ struct Places {
 
 /// What some triangles miss.
 struct MissedAngles {
-  Places large, small;
-  Places forced;  ///< small ones
+  CountedAngles large, small;
+  CountedAngles forced;  ///< small ones
 
   void look_at(const MutableMesh& mesh, std::uint32_t t, const Options& options,
                const MeshHistory& history) {

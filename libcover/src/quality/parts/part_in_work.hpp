@@ -85,7 +85,7 @@ class VertexOwners {
 };
 
 /// Gives the places that a part had to what it has now. What is more is numbered from `extra` on.
-struct Places {
+struct ReusedPlaces {
   std::vector<std::uint32_t> spare;  ///< first those that it had, then those that are left
   std::uint32_t extra = 0;           ///< how many have none
 
@@ -119,7 +119,7 @@ struct PartInWork {
   std::vector<BorderEdge> border;         ///< by side from first_border on: by half_edge
   std::vector<std::uint32_t> whole_side;  ///< by side below: that of the whole
   std::uint32_t own_vertices = 0;         ///< that it had at first
-  Places triangles, vertices;
+  ReusedPlaces triangles, vertices;
   Extras extras;
   std::vector<std::uint32_t> triangle_ids, vertex_ids;  ///< of the extras, in the whole
   std::vector<std::uint32_t> beside_extras;   ///< triangles in places that tell of extras,

@@ -272,7 +272,7 @@ Candidate Candidates::searched(const Candidate& from, const Goal& aim, std::uint
   if (above > effort::kSearchedAlone) return from;
   Candidate further = from;
   Budget budget{above * each, budget_.stop};
-  search_excerpts(further.mesh.change(), aim, budget, Trials::with_restarts);
+  search_excerpts(further.mesh.change(), aim, budget, Restarts::at_last);
   return measured(std::move(further));
 }
 

@@ -176,7 +176,7 @@ Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search
     if (is_small) start = mesh;
     budget.within(
         first + one_more * (std::max<std::size_t>(merit.missed, 1) - 1),
-        [&] { search_excerpts(mesh, soft, budget, Trials::usual, sharing); },
+        [&] { search_excerpts(mesh, soft, budget, Restarts::none, sharing); },
         WhenTooSmall::is_kept);
     const Merit found = merit_of(mesh, soft, sharing.team);
     if (is_small && !is_kept_beside_couplings(found, merit)) {
@@ -190,7 +190,7 @@ Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search
   merit = flip_and_improve(goal);
   if (!is_due(how_hard, merit) || (!was_met && merit.triangles <= effort::kSearchedInAnyCase))
     return merit;
-  search_excerpts(mesh, goal, budget, Trials::usual, sharing);
+  search_excerpts(mesh, goal, budget, Restarts::none, sharing);
   return merit_of(mesh, goal, sharing.team);
 }
 
@@ -226,7 +226,7 @@ Optimised optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const S
     budget.left += effort::kMoreForEach * std::min(merit.above, effort::kMostWorthMore);
   }
   if (is_thorough(how_hard) && !is_tiny && is_worth_a_search(merit))
-    search_excerpts(mesh, goal, budget, Trials::usual, sharing);
+    search_excerpts(mesh, goal, budget, Restarts::none, sharing);
   if (!sizes.is_active()) budget.spend(thin_out(mesh, budget.left, sharing).evaluations);
   if (goal == asked) return {merit_of(mesh, goal, sharing.team), std::nullopt};
   const AngleRange before_couplings = extreme_angles(mesh, sharing.team);

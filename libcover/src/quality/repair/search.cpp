@@ -56,13 +56,13 @@ bool grow(const MutableMesh& mesh, Cavity& cavity) {
 /// The attempts around one triangle.
 class Attempts {
  public:
-  Attempts(const MutableMesh& excerpt, const Goal& goal, Budget& budget, Trials trials)
+  Attempts(const MutableMesh& excerpt, const Goal& goal, Budget& budget, Restarts restarts)
       : excerpt_(excerpt),
         goal_(goal),
         light_(goal),
         before_(tally_of(excerpt, goal)),
         budget_(budget),
-        trials_(trials) {
+        restarts_(restarts) {
     light_.weight *= kLightWeight;
     light_.large -= kAimBelow;
   }
@@ -78,7 +78,7 @@ class Attempts {
     if (as_it_is(first, true)) return true;
     const bool is_alone = before_.above > 0 || before_.below <= kFew;
     if (is_alone && try_kicks(first, true)) return true;
-    return trials_ == Trials::with_restarts && before_.above > 0 && start_again(first);
+    return restarts_ == Restarts::at_last && before_.above > 0 && start_again(first);
   }
 
   [[nodiscard]] const MutableMesh& result() const { return trial_; }
@@ -160,14 +160,14 @@ class Attempts {
   Goal light_;
   Tally before_;
   Budget& budget_;
-  Trials trials_;
+  Restarts restarts_;
 };
 
 /// The triangles that are left, in turn.
 class ExcerptSearch {
  public:
-  ExcerptSearch(MutableMesh& mesh, Budget& budget, Trials trials)
-      : mesh_(mesh), budget_(budget), trials_(trials) {}
+  ExcerptSearch(MutableMesh& mesh, Budget& budget, Restarts restarts)
+      : mesh_(mesh), budget_(budget), restarts_(restarts) {}
 
   void run() {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) enqueue(t);
@@ -185,15 +185,15 @@ class ExcerptSearch {
       }
       const std::size_t shares = queue_.size();
       const std::vector<std::uint32_t> together = take_apart();
-      std::vector<Trial> trials(together.size());
-      team.each(together.size(), [&](std::size_t k) { trials[k] = tried(together[k], shares); });
-      for (const Trial& trial : trials) keep(trial);
+      std::vector<TriedExcerpt> excerpts(together.size());
+      team.each(together.size(), [&](std::size_t k) { excerpts[k] = tried(together[k], shares); });
+      for (const TriedExcerpt& excerpt : excerpts) keep(excerpt);
     }
   }
 
  private:
-  /// What was tried around a triangle.
-  struct Trial {
+  /// What came of the attempts around a triangle.
+  struct TriedExcerpt {
     std::optional<Excerpt> excerpt;
     std::optional<MutableMesh> found;
     std::uint64_t spent = 0;
@@ -231,25 +231,25 @@ class ExcerptSearch {
   }
 
   /// Spends on `t` one of `shares` equal shares of the budget at most.
-  [[nodiscard]] Trial tried(std::uint32_t t, std::size_t shares) const {
-    Trial trial;
+  [[nodiscard]] TriedExcerpt tried(std::uint32_t t, std::size_t shares) const {
+    TriedExcerpt out;
     Budget own = budget_;  // others may be tried at the same time
-    trial.excerpt.emplace(mesh_, t, effort::kExcerpt);
+    out.excerpt.emplace(mesh_, t, effort::kExcerpt);
     own.within(std::max(kLeastShare, budget_.left / shares), [&] {
-      Attempts attempts(trial.excerpt->mesh, mesh_.goal(), own, trials_);
-      if (attempts.run()) trial.found = attempts.result();
+      Attempts attempts(out.excerpt->mesh, mesh_.goal(), own, restarts_);
+      if (attempts.run()) out.found = attempts.result();
     });
-    trial.spent = std::max(kLeastSpent, budget_.left - own.left);
-    return trial;
+    out.spent = std::max(kLeastSpent, budget_.left - own.left);
+    return out;
   }
 
-  void keep(const Trial& trial) {
-    if (trial.found) {
-      for (const std::uint32_t changed : trial.excerpt->replace(mesh_, *trial.found)) {
+  void keep(const TriedExcerpt& done) {
+    if (done.found) {
+      for (const std::uint32_t changed : done.excerpt->replace(mesh_, *done.found)) {
         enqueue(changed);
       }
     }
-    budget_.spend(trial.spent);
+    budget_.spend(done.spent);
   }
 
   /// Takes triangles from the queue whose excerpts have no triangle in common, nor beside each
@@ -281,7 +281,7 @@ class ExcerptSearch {
 
   MutableMesh& mesh_;
   Budget& budget_;
-  Trials trials_;
+  Restarts restarts_;
   OnceQueue queue_;
   std::vector<std::uint32_t> taken_in_;  ///< by triangle: the last round
   std::uint32_t round_ = 0;
@@ -289,10 +289,10 @@ class ExcerptSearch {
 
 }  // namespace
 
-void search_excerpts(MutableMesh& mesh, const Goal& goal, Budget& budget, Trials trials,
+void search_excerpts(MutableMesh& mesh, const Goal& goal, Budget& budget, Restarts restarts,
                      const Sharing& sharing) {
   mesh.set_goal(goal, sharing.team);
-  ExcerptSearch search(mesh, budget, trials);
+  ExcerptSearch search(mesh, budget, restarts);
   if (sharing.divides(mesh)) {
     search.run(sharing.team);
   } else {

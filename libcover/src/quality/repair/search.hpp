@@ -7,10 +7,10 @@
 
 namespace cover {
 
-/// How much is tried for a triangle.
-enum class Trials {
-  usual,
-  with_restarts,  ///< at random, at last: worth their time where few triangles are left
+/// Whether excerpts are triangulated anew at random.
+enum class Restarts {
+  none,
+  at_last,  ///< once nothing else has helped: worth their time where few triangles are left
 };
 
 /// Tries, for every triangle that misses `goal`, several ways to make an excerpt around it better
@@ -22,6 +22,6 @@ enum class Trials {
 ///          The result does not depend on the team.
 /// Cost:    an attempt looks at some dozens of triangles around, however many there are
 void search_excerpts(MutableMesh& mesh, const Goal& goal, Budget& budget,
-                     Trials trials = Trials::usual, const Sharing& sharing = {});
+                     Restarts restarts = Restarts::none, const Sharing& sharing = {});
 
 }  // namespace cover

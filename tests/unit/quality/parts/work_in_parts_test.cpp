@@ -160,7 +160,7 @@ TEST(WorkInParts, ImprovementSearchAndThinningAreTheSameForAnyTeam) {
   const MutableMesh searched =
       with_any_team(improved, [&](MutableMesh& mesh, const Sharing& sharing) {
         Budget budget{100'000, {}};
-        search_excerpts(mesh, strict, budget, Trials::usual, sharing);
+        search_excerpts(mesh, strict, budget, Restarts::none, sharing);
       });
   expect_sound(searched, boundary);
   MutableMesh before = improved;

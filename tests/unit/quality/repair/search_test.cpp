@@ -70,7 +70,7 @@ TEST(Search, ABudgetIsTooSmallOnlyWhereSomethingIsLeft) {
         Budget own{budget, {}, false};
         Sharing sharing;
         if (in_parts) sharing.part_size = 1;
-        search_excerpts(mesh, default_goal(), own, Trials::usual, sharing);
+        search_excerpts(mesh, default_goal(), own, Restarts::none, sharing);
         if (left_in(mesh) > 0) continue;
         ++all_mended;
         EXPECT_FALSE(own.was_too_small) << k << in_parts << ' ' << budget;
@@ -86,7 +86,7 @@ TEST(Search, RestartsInsideOfExcerptsLeaveASoundMesh) {
   const Goal goal = Goal::of(Angle::degrees(85), Angle::degrees(0));
   const double before = merit_of(mesh, goal).large;
   Budget budget{3'000'000, {}};
-  search_excerpts(mesh, goal, budget, Trials::with_restarts);
+  search_excerpts(mesh, goal, budget, Restarts::at_last);
   expect_sound(mesh, boundary);
   EXPECT_LE(merit_of(mesh, goal).large, before);
 }
