@@ -24,6 +24,27 @@
 #include "words/group_text.hpp"
 
 namespace cover::app {
+namespace {
+
+/// What the formats of `files` leave out of `mesh`.
+void warn_of_losses(const OutputFiles& files, const Output& mesh, const std::string& name,
+                    spdlog::logger& log) {
+  std::vector<PeriodicRule> periodic;
+  for (const PeriodicNodes& nodes : mesh.periodic) periodic.push_back(nodes.rule);
+  std::vector<std::string> points;
+  for (const NamedPoint& point : mesh.pslg.named_points) points.push_back(point.name);
+  for (const std::string& warning :
+       files.warnings(mesh.table.attributes, mesh.fields, periodic, points))
+    log.warn("{}", warning);
+  for (const std::string& warning : files.warnings_of(mesh)) log.warn("{}", warning);
+  if (mesh.nodes && files.write_options().order == 1)
+    log.warn("{}: triangles have six nodes, of which the corners are written: --order 2 keeps all",
+             name);
+  if (const std::string joined = files.regions_joined(mesh.table); !joined.empty())
+    log.warn("{}", joined);
+}
+
+}  // namespace
 
 int run_convert(Arguments arguments) {
   CLI::App app("Write a mesh that cover wrote in another format", "cover convert");
@@ -67,19 +88,7 @@ Examples:
   if (!mesh) return fail(*log, source->named(mesh.error()));
   for (Note& note : mesh->report.notes) note.message = source->named(std::move(note.message));
   log_notes(*log, mesh->report.notes);
-  std::vector<PeriodicRule> periodic;
-  for (const PeriodicNodes& nodes : mesh->periodic) periodic.push_back(nodes.rule);
-  std::vector<std::string> points;
-  for (const NamedPoint& point : mesh->pslg.named_points) points.push_back(point.name);
-  for (const std::string& warning :
-       files.warnings(mesh->table.attributes, mesh->fields, periodic, points))
-    log->warn("{}", warning);
-  for (const std::string& warning : files.warnings_of(*mesh)) log->warn("{}", warning);
-  if (mesh->nodes && files.write_options().order == 1)
-    log->warn("{}: triangles have six nodes, of which the corners are written: --order 2 keeps all",
-              source->name());
-  if (const std::string joined = files.regions_joined(mesh->table); !joined.empty())
-    log->warn("{}", joined);
+  warn_of_losses(files, *mesh, source->name(), *log);
   const Status done = files.write(*mesh, interrupt.token(), ShowProgress::off, *log);
   if (!done) return fail(*log, done.error());
   if (verbosity.quiet) return exit_ok;

@@ -154,22 +154,12 @@ std::string couplings_row(const Report& report) {
   return out + places + '\n';
 }
 
-std::string totals(const Output& output, const MeshCounts& counts) {
+/// What the mesh consists of, what was cut for it, and which sides are periodic.
+std::string size_rows(const Output& output, const MeshCounts& counts) {
   const Report& report = output.report;
-  const Quality& q = report.quality;
-  std::size_t held = 0, forced_120 = 0, forced_150 = 0, worst = 0;
-  LimitCounts limits;
-  for (std::size_t r = 0; r < report.regions.size(); ++r) {
-    const RegionReport& region = report.regions[r];
-    held += region.bound_held ? 1 : 0;
-    limits.add(region.limits);
-    forced_120 += region.forced_above_120;
-    forced_150 += region.forced_above_150;
-    if (region.quality.largest_nu < report.regions[worst].quality.largest_nu) worst = r;
-  }
   const std::size_t cuts = output.pslg.points.size() - report.input_points;
   std::string out =
-      fmt::format("{}, {} ({} new{}), {}{}\n", plural(q.triangles, "triangle"),
+      fmt::format("{}, {} ({} new{}), {}{}\n", plural(report.quality.triangles, "triangle"),
                   grouped(counts.vertices) + " vertices", grouped(report.steiner_vertices + cuts),
                   cuts > 0 ? fmt::format(", {} of them on segments", grouped(cuts)) : "",
                   plural(report.regions.size(), "region"), unit_text(report));
@@ -181,10 +171,22 @@ std::string totals(const Output& output, const MeshCounts& counts) {
     out += fmt::format("Periodic        {:>7}  pairs of vertices on '{}' and '{}'\n",
                        grouped(nodes.vertices.size()), nodes.rule.from, nodes.rule.to);
   }
-  out += arcs_text(output);
-  if (report.regions.empty()) return out;
+  return out + arcs_text(output);
+}
+
+/// The angles of all regions; there is one at least.
+std::string angle_rows(const Output& output) {
+  const Report& report = output.report;
+  const Quality& q = report.quality;
+  std::size_t forced_120 = 0, forced_150 = 0, worst = 0;
+  for (std::size_t r = 0; r < report.regions.size(); ++r) {
+    const RegionReport& region = report.regions[r];
+    forced_120 += region.forced_above_120;
+    forced_150 += region.forced_above_150;
+    if (region.quality.largest_nu < report.regions[worst].quality.largest_nu) worst = r;
+  }
   const RegionReport& region = report.regions[worst];
-  out +=
+  std::string out =
       fmt::format("Largest angle   {:>7}  in region {} '{}'; no mesh is below {} there\n",
                   angle_text(q.largest_nu), region.id.value(),
                   printable(output.table.region(region.id).name), angle_text(region.lowest_nu()));
@@ -198,24 +200,40 @@ std::string totals(const Output& output, const MeshCounts& counts) {
                      grouped(forced_120));
   out += fmt::format("Above 150       {:>7}  forced by the input: {}\n", grouped(q.above_150),
                      grouped(forced_150));
-  out += couplings_row(report);
-  out += fmt::format("Proven bound    {}\n", bound_text(report, held));
+  return out;
+}
+
+/// In how many regions a target is missed, and what is proven of these; empty if in none.
+std::string target_rows(const Report& report) {
   const auto missed =
       std::count_if(report.regions.begin(), report.regions.end(), [](const RegionReport& r) {
         return std::any_of(r.notes.begin(), r.notes.end(),
                            [](const Note& note) { return note.kind == Note::Kind::target_missed; });
       });
-  if (missed > 0) {
-    const bool for_couplings = std::any_of(report.regions.begin(), report.regions.end(),
-                                           [](const RegionReport& r) { return r.has_no_room; });
-    out += fmt::format("Targets         missed in {} of {}; -v tells where and why{}\n",
-                       grouped(static_cast<std::size_t>(missed)),
-                       counted(report.regions.size(), "region"),
-                       for_couplings ? ", --couplings last may reach more of them" : "");
-    if (const std::string text = limits_text(limits); !text.empty())
-      out += fmt::format("Proven limits   {}\n", text);
-  }
+  if (missed == 0) return {};
+  const bool for_couplings = std::any_of(report.regions.begin(), report.regions.end(),
+                                         [](const RegionReport& r) { return r.has_no_room; });
+  std::string out = fmt::format("Targets         missed in {} of {}; -v tells where and why{}\n",
+                                grouped(static_cast<std::size_t>(missed)),
+                                counted(report.regions.size(), "region"),
+                                for_couplings ? ", --couplings last may reach more of them" : "");
+  LimitCounts limits;
+  for (const RegionReport& region : report.regions) limits.add(region.limits);
+  if (const std::string text = limits_text(limits); !text.empty())
+    out += fmt::format("Proven limits   {}\n", text);
   return out;
+}
+
+std::string totals(const Output& output, const MeshCounts& counts) {
+  const Report& report = output.report;
+  std::string out = size_rows(output, counts);
+  if (report.regions.empty()) return out;
+  const auto held = std::count_if(report.regions.begin(), report.regions.end(),
+                                  [](const RegionReport& r) { return r.bound_held; });
+  out += angle_rows(output);
+  out += couplings_row(report);
+  out += fmt::format("Proven bound    {}\n", bound_text(report, static_cast<std::size_t>(held)));
+  return out + target_rows(report);
 }
 
 /// What was meshed again, and what was there before; empty if the whole was meshed.

@@ -132,6 +132,31 @@ SeededFaces take_sides(const Pslg& pslg, const Faces& faces) {
   return out;
 }
 
+void warn_of_outer_holes(const Pslg& pslg, const std::vector<std::uint32_t>& hole_faces,
+                         std::vector<Note>& notes) {
+  for (std::size_t k = 0; k < pslg.holes.size(); ++k) {
+    if (hole_faces[k] != kOutside) continue;
+    notes.push_back(
+        {Note::Kind::warning,
+         kVoid,
+         name_of_seed(pslg.holes[k]) + " lies outside of all segments: it makes nothing void",
+         {pslg.holes[k].at}});
+  }
+}
+
+/// Closed faces with neither a hole's seed nor a region's.
+std::vector<std::uint32_t> faces_without_seed(const Faces& faces,
+                                              const std::vector<std::uint32_t>& hole_faces,
+                                              const std::vector<std::uint32_t>& seed_faces) {
+  std::vector<bool> is_marked(faces.count, false);
+  for (const std::uint32_t f : hole_faces) is_marked[f] = true;
+  for (const std::uint32_t f : seed_faces) is_marked[f] = true;
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t f = kOutside + 1; f < faces.count; ++f)
+    if (!is_marked[f] && !faces.open[f]) found.push_back(f);
+  return found;
+}
+
 }  // namespace
 
 Result<SeededFaces> apply_seeds(const Pslg& pslg, const Faces& faces, std::vector<Note>& notes) {
@@ -142,23 +167,11 @@ Result<SeededFaces> apply_seeds(const Pslg& pslg, const Faces& faces, std::vecto
   const auto seed_faces = faces_of(pslg.seeds, finder, on_segment);
   if (!on_segment.empty()) return on_segment.error();
 
-  for (std::size_t k = 0; k < pslg.holes.size(); ++k) {
-    if (hole_faces[k] != kOutside) continue;
-    notes.push_back(
-        {Note::Kind::warning,
-         kVoid,
-         name_of_seed(pslg.holes[k]) + " lies outside of all segments: it makes nothing void",
-         {pslg.holes[k].at}});
-  }
+  warn_of_outer_holes(pslg, hole_faces, notes);
   SeededFaces out;
   out.is_void = find_void(pslg, faces, hole_faces, seed_faces);
-  if (pslg.seeds_may_miss && !pslg.seeds.empty()) {
-    std::vector<bool> is_marked(faces.count, false);
-    for (const std::uint32_t f : hole_faces) is_marked[f] = true;
-    for (const std::uint32_t f : seed_faces) is_marked[f] = true;
-    for (std::uint32_t f = kOutside + 1; f < faces.count; ++f)
-      if (!is_marked[f] && !faces.open[f]) out.missed.push_back(f);
-  }
+  if (pslg.seeds_may_miss && !pslg.seeds.empty())
+    out.missed = faces_without_seed(faces, hole_faces, seed_faces);
   out.seed.resize(faces.count);
   out.size.resize(faces.count);
   Complaint in_void(ErrorCode::seed_in_void, pslg.source);

@@ -281,21 +281,9 @@ void warn_of_vast_sizes(const Pslg& pslg, const Options& options,
                    {}});
 }
 
-}  // namespace
-
-void warn_of_sizes(const Pslg& pslg, const Options& options,
-                   std::span<const RegionBoundary> boundaries, bool may_be_cut,
-                   std::vector<Note>& notes) {
-  if (options.method != Method::quality) {
-    if (options.sizes.empty() && !options.size_field) return;
-    notes.push_back({Note::Kind::warning,
-                     kVoid,
-                     fmt::format("sizes count with method quality only{}",
-                                 options.split_interfaces ? ", but for cutting segments" : ""),
-                     {}});
-    return;
-  }
-  warn_of_vast_sizes(pslg, options, boundaries, notes);
+/// Tells which expressions, and whether the caller's sizes, are a number above zero nowhere.
+void warn_of_sizes_of_nothing(const Options& options, std::span<const RegionBoundary> boundaries,
+                              std::vector<Note>& notes) {
   for (const std::string& expression : sizes_of_nothing(boundaries, options.min_size)) {
     notes.push_back(
         {Note::Kind::warning,
@@ -315,55 +303,99 @@ void warn_of_sizes(const Pslg& pslg, const Options& options,
                          ? std::string()
                          : fmt::format(" '{}'", options.size_field_name)),
          {}});
-  for (const RegionBoundary& boundary : boundaries) {
-    if (!boundary.size_missed) continue;
-    notes.push_back({Note::Kind::warning,
-                     kVoid,
-                     fmt::format("the sizes asked for by expressions change too fast to be looked "
-                                 "at everywhere: near {} edges may be longer than asked",
-                                 describe(*boundary.size_missed)),
-                     {*boundary.size_missed}});
-    break;  // one place is enough
-  }
+}
+
+/// Tells where expressions change too fast. One place is enough.
+void warn_of_missed_sizes(std::span<const RegionBoundary> boundaries, std::vector<Note>& notes) {
+  const auto at = std::find_if(boundaries.begin(), boundaries.end(),
+                               [](const RegionBoundary& b) { return b.size_missed.has_value(); });
+  if (at == boundaries.end()) return;
+  notes.push_back({Note::Kind::warning,
+                   kVoid,
+                   fmt::format("the sizes asked for by expressions change too fast to be looked "
+                               "at everywhere: near {} edges may be longer than asked",
+                               describe(*at->size_missed)),
+                   {*at->size_missed}});
+}
+
+/// Segments longer than the sizes asked for there.
+struct LongSegments {
+  std::size_t count = 0;
+  std::size_t longest = 0;
+  std::size_t unrefined = 0;  ///< regions that have longer sides alone
+};
+
+double length_of(const Pslg& pslg, std::size_t s) {
+  const Segment& segment = pslg.segments[s];
+  return length(pslg.points[segment.b.index()] - pslg.points[segment.a.index()]);
+}
+
+LongSegments long_segments(const Pslg& pslg, const Options& options,
+                           std::span<const RegionBoundary> boundaries) {
+  LongSegments found;
   std::vector<bool> is_long(pslg.segments.size(), false);
-  std::size_t longest = 0, unrefined = 0;  // regions that have longer sides alone
-  const auto length_of = [&](std::size_t s) {
-    const Segment& segment = pslg.segments[s];
-    return length(pslg.points[segment.b.index()] - pslg.points[segment.a.index()]);
-  };
   for (const RegionBoundary& boundary : boundaries) {
     if (!has_sizes(boundary, options)) continue;
     std::size_t long_sides = 0;
     for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
-      const std::size_t segment = boundary.segments[s].index();
       if (boundary.segments[s] == kHullSide) continue;
       const auto& [a, b] = boundary.sides[s];
       SegmentSizes sizes(boundary.points[a], boundary.points[b], options);
       sizes.add(boundary, s);
       if (!sizes.is_long()) continue;
       ++long_sides;
+      const std::size_t segment = boundary.segments[s].index();
       is_long[segment] = true;
-      if (!is_long[longest] || length_of(segment) > length_of(longest)) longest = segment;
+      if (!is_long[found.longest] || length_of(pslg, segment) > length_of(pslg, found.longest))
+        found.longest = segment;
     }
-    if (long_sides == boundary.sides.size()) ++unrefined;
+    if (long_sides == boundary.sides.size()) ++found.unrefined;
   }
-  const auto count = static_cast<std::size_t>(std::count(is_long.begin(), is_long.end(), true));
-  if (count == 0) return;
-  const Segment& segment = pslg.segments[longest];
+  found.count = static_cast<std::size_t>(std::count(is_long.begin(), is_long.end(), true));
+  return found;
+}
+
+/// Tells that segments longer than the sizes beside them stay as they are.
+void warn_of_long_segments(const Pslg& pslg, const LongSegments& found, bool may_be_cut,
+                           std::vector<Note>& notes) {
+  if (found.count == 0) return;
+  const Segment& segment = pslg.segments[found.longest];
   const Point a = pslg.points[segment.a.index()], b = pslg.points[segment.b.index()];
+  const std::string unrefined =
+      found.unrefined == 0
+          ? ""
+          : fmt::format("; of {} all segments are", counted(found.unrefined, "region"));
   notes.push_back(
       {Note::Kind::warning,
        kVoid,
        fmt::format(
-           "{} longer than the sizes asked for there, up to {:.6g} from {} to "
-           "{}: triangles beside them are larger than asked, since segments "
-           "stay {}{}",
-           count == 1 ? "1 segment is" : fmt::format("{} segments are", count), length_of(longest),
-           describe(a), describe(b),
+           "{} longer than the sizes asked for there, up to {:.6g} from {} to {}: "
+           "triangles beside them are larger than asked, since segments stay {}{}",
+           found.count == 1 ? "1 segment is" : fmt::format("{} segments are", found.count),
+           length_of(pslg, found.longest), describe(a), describe(b),
            may_be_cut ? "whole unless --split-interfaces cuts them" : "as they are in the mesh",
-           unrefined == 0 ? ""
-                          : fmt::format("; of {} all segments are", counted(unrefined, "region"))),
+           unrefined),
        {a, b}});
+}
+
+}  // namespace
+
+void warn_of_sizes(const Pslg& pslg, const Options& options,
+                   std::span<const RegionBoundary> boundaries, bool may_be_cut,
+                   std::vector<Note>& notes) {
+  if (options.method != Method::quality) {
+    if (options.sizes.empty() && !options.size_field) return;
+    notes.push_back({Note::Kind::warning,
+                     kVoid,
+                     fmt::format("sizes count with method quality only{}",
+                                 options.split_interfaces ? ", but for cutting segments" : ""),
+                     {}});
+    return;
+  }
+  warn_of_vast_sizes(pslg, options, boundaries, notes);
+  warn_of_sizes_of_nothing(options, boundaries, notes);
+  warn_of_missed_sizes(boundaries, notes);
+  warn_of_long_segments(pslg, long_segments(pslg, options, boundaries), may_be_cut, notes);
 }
 
 }  // namespace cover

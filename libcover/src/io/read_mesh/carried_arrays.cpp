@@ -52,60 +52,91 @@ void take_words(const ArrayWords& words, Attribute& attribute) {
     if (std::isnan(value)) value = 0;
 }
 
+/// What arrays that the manifest tells of are called in the file.
+struct KnownNames {
+  std::vector<std::string> attributes, fields;
+};
+
+KnownNames known_names(const StoredMesh& stored) {
+  std::vector<std::string> all;
+  for (const Attribute& attribute : stored.attributes) all.push_back(attribute.name);
+  for (const PlaneField::Array& field : stored.fields) all.push_back(field.name);
+  all = array_names(std::move(all));
+  const auto first_field = all.begin() + static_cast<std::ptrdiff_t>(stored.attributes.size());
+  return {{all.begin(), first_field}, {first_field, all.end()}};
+}
+
+/// The number of the last region; nothing where the triangles cannot have the regions that they
+/// say: rebuild() tells what is wrong.
+std::optional<std::size_t> last_region(const StoredMesh& stored) {
+  const TriangleSoup& soup = stored.soup;
+  const auto regions = static_cast<std::int64_t>(stored.regions.size());
+  std::int64_t last = regions;
+  for (const std::int64_t region : soup.region) {
+    if (region < 1 || (regions > 0 && region > regions)) return {};
+    last = std::max(last, region);
+  }
+  const auto found = static_cast<std::size_t>(last);
+  if (soup.region.size() != soup.triangles.size() ||
+      found > std::max(soup.triangles.size(), stored.regions.size()))
+    return {};
+  return found;
+}
+
+/// Arrays of triangles become attributes of regions. Returns the names of those that differ within
+/// a region.
+std::vector<std::string> take_attributes(std::vector<CellArray> of_triangles,
+                                         const std::vector<std::string>& known,
+                                         const ArrayWords& words, StoredMesh& stored) {
+  const std::optional<std::size_t> regions = last_region(stored);
+  if (!regions) return {};
+  std::vector<std::string> mixed;
+  std::set<std::string> taken(known.begin(), known.end());
+  for (CellArray& array : of_triangles) {
+    if (is_own_array(array.name) || !taken.insert(array.name).second) continue;
+    std::optional<std::vector<double>> values = by_region(array.values, stored.soup);
+    if (!values) {
+      mixed.push_back(std::move(array.name));
+      continue;
+    }
+    values->resize(*regions, kNoNumber);
+    stored.attributes.push_back({std::move(array.name), false, {}, *std::move(values)});
+    take_words(words, stored.attributes.back());
+  }
+  return mixed;
+}
+
+/// Arrays of points become fields, or the values of known ones. Returns the names of known fields
+/// that got none.
+std::vector<std::string> take_fields(std::vector<PlaneField::Array> of_points,
+                                     const std::vector<std::string>& known, StoredMesh& stored) {
+  std::vector<std::string> lost;
+  std::set<std::string> taken;
+  for (PlaneField::Array& array : of_points) {
+    if (is_own_array(array.name) || !taken.insert(array.name).second) continue;
+    const auto place = std::find(known.begin(), known.end(), array.name);
+    if (place == known.end()) {
+      stored.fields.push_back(std::move(array));
+    } else {
+      stored.fields[static_cast<std::size_t>(place - known.begin())].values =
+          std::move(array.values);
+    }
+  }
+  for (std::size_t k = 0; k < known.size(); ++k)
+    if (stored.fields[k].values.empty()) lost.push_back(stored.fields[k].name);
+  std::erase_if(stored.fields, [](const PlaneField::Array& field) { return field.values.empty(); });
+  return lost;
+}
+
 }  // namespace
 
 std::vector<std::string> take_arrays(std::vector<CellArray> of_triangles,
                                      std::vector<PlaneField::Array> of_points,
                                      const ArrayWords& words, StoredMesh& stored) {
-  std::vector<std::string> known;
-  for (const Attribute& attribute : stored.attributes) known.push_back(attribute.name);
-  for (const PlaneField::Array& field : stored.fields) known.push_back(field.name);
-  // What the manifest's arrays are called in the file.
-  known = array_names(std::move(known));
-  const std::size_t attributes = stored.attributes.size(), fields = stored.fields.size();
-  const auto is_valid = [&](std::int64_t region) {
-    return region >= 1 &&
-           (stored.regions.empty() || region <= static_cast<std::int64_t>(stored.regions.size()));
-  };
-  const TriangleSoup& soup = stored.soup;
-  std::int64_t last = static_cast<std::int64_t>(stored.regions.size());
-  for (const std::int64_t region : soup.region) last = std::max(last, region);
-  // Else rebuild() tells what is wrong.
-  const bool fits =
-      soup.region.size() == soup.triangles.size() &&
-      std::all_of(soup.region.begin(), soup.region.end(), is_valid) &&
-      last <= static_cast<std::int64_t>(std::max(soup.triangles.size(), stored.regions.size()));
-
-  std::vector<std::string> mixed, lost;
-  std::set<std::string> taken(known.begin(),
-                              known.begin() + static_cast<std::ptrdiff_t>(attributes));
-  for (CellArray& array : of_triangles) {
-    if (!fits || is_own_array(array.name) || !taken.insert(array.name).second) continue;
-    std::optional<std::vector<double>> values = by_region(array.values, soup);
-    if (!values) {
-      mixed.push_back(std::move(array.name));
-      continue;
-    }
-    values->resize(static_cast<std::size_t>(last), kNoNumber);
-    stored.attributes.push_back({std::move(array.name), false, {}, *std::move(values)});
-    take_words(words, stored.attributes.back());
-  }
-  taken.clear();
-  for (PlaneField::Array& array : of_points) {
-    if (is_own_array(array.name) || !taken.insert(array.name).second) continue;
-    const auto place =
-        std::find(known.begin() + static_cast<std::ptrdiff_t>(attributes), known.end(), array.name);
-    if (place == known.end()) {
-      stored.fields.push_back(std::move(array));
-    } else {
-      stored.fields[static_cast<std::size_t>(place - known.begin()) - attributes].values =
-          std::move(array.values);
-    }
-  }
-  for (std::size_t k = 0; k < fields; ++k)
-    if (stored.fields[k].values.empty()) lost.push_back(stored.fields[k].name);
-  std::erase_if(stored.fields, [](const PlaneField::Array& field) { return field.values.empty(); });
-
+  const KnownNames known = known_names(stored);
+  const std::vector<std::string> mixed =
+      take_attributes(std::move(of_triangles), known.attributes, words, stored);
+  const std::vector<std::string> lost = take_fields(std::move(of_points), known.fields, stored);
   std::vector<std::string> sentences;
   if (!mixed.empty())
     sentences.push_back(fmt::format(

@@ -55,6 +55,50 @@ struct Gap {
   friend auto operator<=>(const Gap&, const Gap&) = default;
 };
 
+/// Leaves out the gaps, sorted by width, above the widest step between two widths, if it is wide.
+/// What is meant is not most of them: few gaps that rounding made do not excuse hundreds of others.
+/// Returns: how many they were
+std::size_t leave_out_meant(std::vector<Gap>& gaps) {
+  std::size_t first = gaps.size();
+  double widest_step = kMeant;
+  for (std::size_t k = std::max<std::size_t>((gaps.size() + 1) / 2, 1); k < gaps.size(); ++k) {
+    if (gaps[k].width < widest_step * gaps[k - 1].width) continue;
+    widest_step = gaps[k].width / gaps[k - 1].width;
+    first = k;
+  }
+  const std::size_t meant = gaps.size() - first;
+  gaps.resize(first);
+  return meant;
+}
+
+/// A tolerance of welding that closes voids of a width, with one digit: what is found of widths is
+/// about half too little, and corners that are to be one lie farther apart than borders, by as much
+/// along them as across. (Of 32 tilings with corners off by as much everywhere, 29 close at once;
+/// with half of it 14.)
+double tolerance_above(double width, double extent) {
+  constexpr double kCorners = 4;
+  const double relative = kCorners * width / extent;
+  const double unit = std::pow(10, std::floor(std::log10(relative)));
+  return std::ceil(relative / unit) * unit;
+}
+
+/// By face; of one that is no void, its perimeter counts alone.
+std::vector<Void> voids_of(const Pslg& pslg, const Faces& faces) {
+  std::vector<Void> voids(faces.count);
+  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+    const Segment& segment = pslg.segments[s];
+    const double piece = length(pslg.points[segment.b.index()] - pslg.points[segment.a.index()]);
+    for (std::size_t k = 0; k < 2; ++k) {
+      Void& v = voids[faces.of_segment[s][k]];
+      const std::uint32_t beside = pslg.side_seeds[s][1 - k];
+      v.perimeter += piece;
+      v.is_between |= v.seed != 0 && beside != 0 && beside != v.seed;
+      if (beside != 0) v.seed = beside;
+    }
+  }
+  return voids;
+}
+
 /// For each void one by the width of the polygons beside it, their mean along its walls.
 std::vector<double> per_width_beside(const Pslg& pslg, const Faces& faces,
                                      const FacesBeside& beside) {
@@ -74,14 +118,18 @@ std::vector<double> per_width_beside(const Pslg& pslg, const Faces& faces,
   return per_width;
 }
 
-/// Thin voids, and thin parts of wider ones.
+/// Thin voids between polygons, and thin parts of wider ones.
 struct Thin {
   std::vector<Gap> gaps;
   std::size_t meant = 0;  ///< voids as wide as streets; narrower parts may be among the gaps
 };
 
 Thin find_thin(const Pslg& pslg, const Faces& faces, const SeededFaces& seeded,
-               std::span<const Void> voids, std::vector<bool> is_between) {
+               std::span<const Void> voids) {
+  std::vector<bool> is_between(faces.count);
+  for (std::size_t f = 0; f < faces.count; ++f)
+    is_between[f] = seeded.is_void[f] && voids[f].is_between;
+  if (std::find(is_between.begin(), is_between.end(), true) == is_between.end()) return {};
   const std::vector<FaceMeasure> measures = measure_faces(faces);
   FacesBeside beside;
   for (std::size_t f = 0; f < faces.count; ++f) {
@@ -115,31 +163,14 @@ Thin find_thin(const Pslg& pslg, const Faces& faces, const SeededFaces& seeded,
   return thin;
 }
 
-/// Leaves out the gaps, sorted by width, above the widest step between two widths, if it is wide.
-/// What is meant is not most of them: few gaps that rounding made do not excuse hundreds of others.
-/// Returns: how many they were
-std::size_t leave_out_meant(std::vector<Gap>& gaps) {
-  std::size_t first = gaps.size();
-  double widest_step = kMeant;
-  for (std::size_t k = std::max<std::size_t>((gaps.size() + 1) / 2, 1); k < gaps.size(); ++k) {
-    if (gaps[k].width < widest_step * gaps[k - 1].width) continue;
-    widest_step = gaps[k].width / gaps[k - 1].width;
-    first = k;
-  }
-  const std::size_t meant = gaps.size() - first;
-  gaps.resize(first);
-  return meant;
-}
-
-/// A tolerance of welding that closes voids of a width, with one digit: what is found of widths is
-/// about half too little, and corners that are to be one lie farther apart than borders, by as much
-/// along them as across. (Of 32 tilings with corners off by as much everywhere, 29 close at once;
-/// with half of it 14.)
-double tolerance_above(double width, double extent) {
-  constexpr double kCorners = 4;
-  const double relative = kCorners * width / extent;
-  const double unit = std::pow(10, std::floor(std::log10(relative)));
-  return std::ceil(relative / unit) * unit;
+/// What to do about gaps of which `widest` is the widest.
+std::string advice(double widest, double extent, double weld) {
+  const double tolerance = tolerance_above(widest, extent);
+  if (!(tolerance > weld)) return "; --weld is held back there by the shortest lines";
+  return fmt::format(
+      ", or close gaps of this width with --weld {:.0e}, which is held back beside "
+      "lines shorter than {}",
+      tolerance, describe_roughly(kHeldBack * tolerance * extent));
 }
 
 }  // namespace
@@ -147,23 +178,7 @@ double tolerance_above(double width, double extent) {
 void warn_of_gaps(const Pslg& pslg, const Faces& faces, const SeededFaces& seeded, double weld,
                   std::vector<Note>& notes) {
   if (pslg.side_seeds.empty()) return;
-  std::vector<Void> voids(faces.count);
-  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
-    const Segment& segment = pslg.segments[s];
-    const double piece = length(pslg.points[segment.b.index()] - pslg.points[segment.a.index()]);
-    for (std::size_t k = 0; k < 2; ++k) {
-      Void& v = voids[faces.of_segment[s][k]];
-      const std::uint32_t beside = pslg.side_seeds[s][1 - k];
-      v.perimeter += piece;
-      v.is_between |= v.seed != 0 && beside != 0 && beside != v.seed;
-      if (beside != 0) v.seed = beside;
-    }
-  }
-  std::vector<bool> is_between(faces.count);
-  for (std::size_t f = 0; f < faces.count; ++f)
-    is_between[f] = seeded.is_void[f] && voids[f].is_between;
-  if (std::find(is_between.begin(), is_between.end(), true) == is_between.end()) return;
-  Thin thin = find_thin(pslg, faces, seeded, voids, std::move(is_between));
+  Thin thin = find_thin(pslg, faces, seeded, voids_of(pslg, faces));
   std::vector<Gap>& found = thin.gaps;
   if (found.empty()) return;
   std::sort(found.begin(), found.end());
@@ -181,8 +196,6 @@ void warn_of_gaps(const Pslg& pslg, const Faces& faces, const SeededFaces& seede
     open += gap.is_open ? 1 : 0;
     where.push_back(gap.where);
   }
-  const double extent = box_of(pslg.points).extent();
-  const double tolerance = tolerance_above(widest, extent);
   notes.push_back(
       {Note::Kind::warning, kVoid,
        fmt::format(
@@ -197,11 +210,7 @@ void warn_of_gaps(const Pslg& pslg, const Faces& faces, const SeededFaces& seede
                ? std::string()
                : fmt::format(" ({} far wider {})", meant,
                              meant == 1 ? "one is taken as meant" : "ones are taken as meant"),
-           tolerance > weld
-               ? fmt::format(", or close gaps of this width with --weld {:.0e}, which is held back "
-                             "beside lines shorter than {}",
-                             tolerance, describe_roughly(kHeldBack * tolerance * extent))
-               : std::string("; --weld is held back there by the shortest lines")),
+           advice(widest, box_of(pslg.points).extent(), weld)),
        std::move(where)});
 }
 
