@@ -143,6 +143,12 @@ class JointPlacement {
     for (std::size_t m = 0; m < vertices_.size(); ++m) mesh_.points[vertices_[m]] = places[m];
   }
 
+  struct AngleOf {
+    std::uint32_t triangle;
+    const Corners& corners;  ///< of the triangle
+    Corner at;
+  };
+
   /// The excesses as functions of the steps, in boxes.
   [[nodiscard]] LinearFunctions model(double box) const {
     LinearFunctions f;
@@ -163,9 +169,9 @@ class JointPlacement {
         const double below = mesh_.goal().weight * (cot - mesh_.goal().small - allowed);
         if (below > small) small = below, small_at = i;
       }
-      add(f, s, k, large_at, large, -1, box);
+      add(f, {s, k, large_at}, large, -1, box);
       if (mesh_.goal().weight > 0 && small > -kInverted) {
-        add(f, s, k, small_at, small, mesh_.goal().weight, box);
+        add(f, {s, k, small_at}, small, mesh_.goal().weight, box);
       }
       if (mesh_.goal().coupling.weight > 0) add_couplings(f, s, k, box);
     }
@@ -184,31 +190,32 @@ class JointPlacement {
       if (is_side(n)) {
         const double least = mesh_.allowance(n)->least_cot;
         if (least > -kInverted)
-          add(f, s, k, i, coupling.weight * (least - cot), -coupling.weight, box);
+          add(f, {s, k, i}, coupling.weight * (least - cot), -coupling.weight, box);
       } else if (coupling.inside) {
         const Corner j = mesh_.triangles[n].edge_from(triangle.v[i.previous()]);
         const Corners o(mesh_.corner(n, 0), mesh_.corner(n, 1), mesh_.corner(n, 2));
         const double sum = cot + o.dot[j] / o.cross;
-        add(f, s, k, i, coupling.weight * (kLeastCoupling - sum), -coupling.weight, box);
-        add_slopes(f, f.rows.size() - f.dimension - 1, n, o, j, -coupling.weight, box);
+        add(f, {s, k, i}, coupling.weight * (kLeastCoupling - sum), -coupling.weight, box);
+        add_slopes(f, f.rows.size() - f.dimension - 1, {n, o, j}, -coupling.weight, box);
       }
     }
     if (coupling.bound < kInverted)
-      add(f, s, k, widest, kBoundFirst * (-k.dot[widest] / k.cross - coupling.bound), -kBoundFirst,
-          box);
+      add(f, {s, k, widest}, kBoundFirst * (-k.dot[widest] / k.cross - coupling.bound),
+          -kBoundFirst, box);
   }
 
-  /// Adds `factor` times the cotangent at corner i of `s`, whose value is `value` now.
-  void add(LinearFunctions& f, std::uint32_t s, const Corners& k, Corner i, double value,
-           double factor, double box) const {
+  /// Adds `factor` times the cotangent of an angle, whose value is `value` now.
+  void add(LinearFunctions& f, const AngleOf& angle, double value, double factor,
+           double box) const {
     const std::size_t row = f.rows.size();
     f.rows.resize(row + 1 + f.dimension, 0.0);
     f.rows[row] = value;
-    add_slopes(f, row, s, k, i, factor, box);
+    add_slopes(f, row, angle, factor, box);
   }
 
-  void add_slopes(LinearFunctions& f, std::size_t row, std::uint32_t s, const Corners& k, Corner i,
-                  double factor, double box) const {
+  void add_slopes(LinearFunctions& f, std::size_t row, const AngleOf& angle, double factor,
+                  double box) const {
+    const auto& [s, k, i] = angle;
     const Point a = mesh_.corner(s, i);
     const Vector u = mesh_.corner(s, i.next()) - a, v = mesh_.corner(s, i.previous()) - a;
     const double cot = k.dot[i] / k.cross;

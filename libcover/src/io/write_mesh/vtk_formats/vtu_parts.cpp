@@ -31,43 +31,56 @@ CellType type_of_triangles(const MeshView& view) {
   return view.second_order() ? CellType::quadratic_triangle : CellType::triangle;
 }
 
-/// Points and cells; `coordinates` and `nodes` write all of them.
-void add_cells(std::size_t points, ArrayWriter coordinates, std::size_t cells, CellType type,
-               std::size_t nodes_each, ArrayWriter nodes, VtuGrid& grid) {
-  grid.points = points;
-  grid.cells = cells;
+struct PointBlock {
+  std::size_t count;
+  ArrayWriter coordinates;  ///< writes those of all
+};
+
+/// Cells of one type.
+struct CellBlock {
+  std::size_t count;
+  CellType type;
+  std::size_t nodes_each;
+  ArrayWriter nodes;  ///< writes those of all
+};
+
+void add_cells(PointBlock points, CellBlock cells, VtuGrid& grid) {
+  grid.points = points.count;
+  grid.cells = cells.count;
   constexpr std::size_t kDimensions = 3;
-  grid.coordinates = {
-      NumberType::float64,   "Points", kDimensions, {}, points * kDimensions * sizeof(double),
-      std::move(coordinates)};
+  grid.coordinates = {NumberType::float64,
+                      "Points",
+                      kDimensions,
+                      {},
+                      points.count * kDimensions * sizeof(double),
+                      std::move(points.coordinates)};
   grid.connectivity.push_back({NumberType::int64,
                                "connectivity",
                                1,
                                {},
-                               cells * nodes_each * sizeof(std::int64_t),
-                               std::move(nodes)});
+                               cells.count * cells.nodes_each * sizeof(std::int64_t),
+                               std::move(cells.nodes)});
   grid.connectivity.push_back(vtu_array<std::int64_t>(
-      "offsets", cells, [nodes_each](std::size_t k) { return (k + 1) * nodes_each; }));
-  grid.connectivity.push_back(
-      vtu_array<std::uint8_t>("types", cells, [type](std::size_t) { return type; }));
+      "offsets", cells.count, [each = cells.nodes_each](std::size_t k) { return (k + 1) * each; }));
+  grid.connectivity.push_back(vtu_array<std::uint8_t>(
+      "types", cells.count, [type = cells.type](std::size_t) { return type; }));
 }
 
 /// The same of `cells`; `point(p)` is a place.
 template <class Place>
 void add_cells(const Cells& cells, CellType type, std::size_t points, Place place, VtuGrid& grid) {
-  add_cells(points,
-            ArrayWriter(points, sizeof(Place3),
-                        [place](std::size_t first, std::size_t last, char* to) {
-                          for (std::size_t p = first; p < last; ++p, to += sizeof(Place3)) {
-                            const Point at = place(p);
-                            const Place3 numbers{at.x, at.y, 0};
-                            std::memcpy(to, numbers.data(), sizeof numbers);
-                          }
-                        }),
-            cells.size(), type, cells.nodes_each,
-            array_of_values<std::int64_t>(cells.nodes.size(),
-                                          [&cells](std::size_t k) { return cells.nodes[k]; }),
-            grid);
+  ArrayWriter coordinates(points, sizeof(Place3),
+                          [place](std::size_t first, std::size_t last, char* to) {
+                            for (std::size_t p = first; p < last; ++p, to += sizeof(Place3)) {
+                              const Point at = place(p);
+                              const Place3 numbers{at.x, at.y, 0};
+                              std::memcpy(to, numbers.data(), sizeof numbers);
+                            }
+                          });
+  ArrayWriter nodes = array_of_values<std::int64_t>(
+      cells.nodes.size(), [&cells](std::size_t k) { return cells.nodes[k]; });
+  add_cells({points, std::move(coordinates)},
+            {cells.size(), type, cells.nodes_each, std::move(nodes)}, grid);
 }
 
 /// The class of each point, where there are periodic sides; `number(p)` is its number in the whole
@@ -231,8 +244,8 @@ VtuGrid grid_of(const TriangleArrays& arrays, std::size_t points, ArrayWriter co
                 ArrayWriter nodes) {
   constexpr std::size_t kNodes = 3;
   VtuGrid grid;
-  add_cells(points, std::move(coordinates), arrays.triangles, CellType::triangle, kNodes,
-            std::move(nodes), grid);
+  add_cells({points, std::move(coordinates)},
+            {arrays.triangles, CellType::triangle, kNodes, std::move(nodes)}, grid);
   add_triangle_arrays(arrays, grid);
   return grid;
 }
