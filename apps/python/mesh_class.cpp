@@ -16,6 +16,7 @@
 #include <cover/mesh.hpp>
 #include <cover/mesh_view.hpp>
 #include <cover/picture.hpp>
+#include <cover/text.hpp>
 #include <cover/verify.hpp>
 #include <cover/write_mesh.hpp>
 
@@ -169,33 +170,82 @@ py::object report_of(const PyMesh& mesh) {
   return py::module_::import("json").attr("loads")(report_text(mesh));
 }
 
+/// What a file lacks of what the mesh has, a sentence each, as `cover convert` tells it where no
+/// manifest is written.
+std::vector<std::string> losses_of(const Output& output, const std::string& path,
+                                   const std::string& extension, const WriteOptions& options) {
+  if (extension == ".svg" || extension == ".png" || extension == ".poly" || extension == ".json")
+    return {};
+  const std::string file = path.substr(path.rfind('/') + 1);
+  std::vector<std::string> sentences;
+  const auto tell = [&](const char* what, std::vector<std::string> names,
+                        const std::vector<std::string>& holding) {
+    constexpr std::size_t kMost = 10;
+    std::vector<std::string> each;
+    for (std::string& name : names)
+      if (std::find(each.begin(), each.end(), name) == each.end()) each.push_back(std::move(name));
+    if (each.empty() || std::find(holding.begin(), holding.end(), extension) != holding.end())
+      return;
+    if (each.size() > kMost) {
+      const std::size_t more = each.size() - kMost;
+      each.resize(kMost);
+      each.back() += " and " + std::to_string(more) + " more";
+    }
+    sentences.push_back(std::string(what) + " (" + listed(each) + ") are not in " + file +
+                        ": formats that hold them are " + listed(holding));
+  };
+  std::vector<std::string> attributes, sides, points, values;
+  for (const Attribute& attribute : output.table.attributes) attributes.push_back(attribute.name);
+  for (const PeriodicNodes& nodes : output.periodic) sides.push_back(describe(nodes.rule));
+  for (const NamedPoint& point : output.pslg.named_points) points.push_back(point.name);
+  for (const PlaneField::Array& field : output.fields) values.push_back(field.name);
+  tell("attributes", attributes, attribute_formats());
+  tell("pairs on periodic sides", sides, periodic_formats());
+  tell("names of points", points, point_formats(options));
+  tell("values at points", values, value_formats());
+  const std::size_t rounded = extension == ".inp" ? points_rounded_by_inp(output, options) : 0;
+  if (rounded > 0)
+    sentences.push_back(counted(rounded, "point") + " in " + file +
+                        (rounded == 1 ? " is" : " are") +
+                        " rounded: readers of .inp take 20 characters of a coordinate; other "
+                        "formats keep all digits");
+  return sentences;
+}
+
 /// A mesh file or a picture, as the extension says.
 void save(const py::object& self, const py::object& path, const py::kwargs& keywords) {
   auto& mesh = self.cast<PyMesh&>();
   const std::string name = py::module_::import("os").attr("fsencode")(path).cast<std::string>();
   check_path(name);
   const std::string extension = extension_of(name);
-  auto [options, given] = write_options_from(keywords);
+  py::dict rest(keywords);
+  PictureKeywords picture = take_picture_options(rest);
+  auto [options, given] = write_options_from(rest);
   std::vector<std::string> known = write_formats();
   known.insert(known.end(), {".svg", ".png"});
   if (std::find(known.begin(), known.end(), extension) == known.end())
     raise(unknown_output_format(name, known));
-  for (std::string& idle : idle_write_options(given, extension)) {
-    if (std::find(mesh.remarks.begin(), mesh.remarks.end(), idle) == mesh.remarks.end())
-      mesh.remarks.push_back(std::move(idle));
-  }
+  const auto remark = [&](std::vector<std::string> sentences) {
+    for (std::string& sentence : sentences)
+      if (std::find(mesh.remarks.begin(), mesh.remarks.end(), sentence) == mesh.remarks.end())
+        mesh.remarks.push_back(std::move(sentence));
+  };
+  remark(idle_write_options(given, extension));
+  remark(idle_picture_options(picture, extension));
   if (extension == ".png") {
-    py::module_::import("cover._png").attr("write_png")(self, py::bytes(name), options.order);
+    py::module_::import("cover._png")
+        .attr("write_png")(self, py::bytes(name), options.order, py::bytes(picture.options.title),
+                           picture.options.width, py::bytes(picture.options.color));
     return;
   }
   Callables callables;
   options.stop = callables.token();
   run(callables, [&, &chosen = options]() -> Status {
     if (extension != ".svg") return write_mesh(mesh.output, name, chosen);
-    PictureOptions picture;
-    picture.stop = chosen.stop;
-    return write_svg(picture_of(mesh.output, chosen.order), picture, name);
+    picture.options.stop = chosen.stop;
+    return write_svg(picture_of(mesh.output, chosen.order), picture.options, name);
   });
+  remark(losses_of(mesh.output, name, extension, options));
 }
 
 /// What verify_cover() finds; see the words for Python below.
@@ -285,10 +335,12 @@ void define_mesh(py::module_& module) {
                              "of a mesh that was read has no regions.")
       .def_property_readonly(
           "_remarks", [](const PyMesh& m) { return m.remarks; },
-          "Sentences on options of save() that had no effect.")
+          "Sentences on options of save() that had no effect, and on what files lack.")
       .def("save", &save, py::arg("path"),
            "Writes a mesh file, or with .svg or .png a picture, as the extension says. "
-           "write_options() lists what else it takes.")
+           "write_options() lists what else it takes; of pictures title, the first line, width, in "
+           "pixels, and color, an array that is shown by colour, as max_angle. What a mesh has and "
+           "a file lacks, as names of points, is told in notes.")
       .def("violations", &violations, kViolations)
       .def("__reduce__",
            [](const PyMesh& m) {

@@ -4,6 +4,8 @@
 // only; what it raises stops the run and comes out of the call.
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,7 +22,9 @@
 #include <cover/read_mesh.hpp>
 #include <cover/read_option_table.hpp>
 #include <cover/read_size_field.hpp>
+#include <cover/remesh.hpp>
 #include <cover/requirements.hpp>
+#include <cover/stored_mesh.hpp>
 #include <cover/verify.hpp>
 #include <cover/version.hpp>
 #include <cover/write_mesh.hpp>
@@ -98,6 +102,55 @@ void check_size_field(const py::dict& keywords) {
                          "given as size");
 }
 
+/// Regions that are meshed again, and the mesh in which they are replaced.
+struct Again {
+  std::vector<std::string> only;
+  TriangleSoup onto;
+  std::string name;              ///< of that mesh
+  std::optional<Output> before;  ///< that mesh with what belongs to it, where that can be read
+};
+
+/// The triangles of a file. Where it has groups instead of materials, the manifest tells them.
+Result<TriangleSoup> triangles_in(const std::string& path) {
+  Result<MeshFile> mesh = read_mesh(path);
+  if (!mesh) return std::move(mesh).error();
+  if (!mesh->soup.material.empty() || mesh->group.empty()) return std::move(mesh->soup);
+  StoredMesh stored;
+  stored.soup = std::move(mesh->soup);
+  const Result<bool> named =
+      read_manifest(std::filesystem::path(path).replace_extension(".json"), mesh->group, stored);
+  if (!named || !*named) stored.soup.region.clear(), stored.soup.material.clear();
+  return std::move(stored.soup);
+}
+
+/// Takes only and onto out of `keywords`, a copy of them.
+std::optional<Again> take_again(py::dict& keywords) {
+  if (!keywords.contains("onto")) return std::nullopt;
+  keywords = keywords.attr("copy")();
+  const py::object onto = keywords.attr("pop")("onto"), only = keywords.attr("pop")("only");
+  Again again;
+  const bool is_one = py::isinstance<py::str>(only) || !py::isinstance<py::iterable>(only);
+  for (const py::handle& name : is_one ? py::list(py::make_tuple(only)) : py::list(only)) {
+    if (!py::isinstance<py::str>(name) && PyIndex_Check(name.ptr()) == 0)
+      throw py::type_error("only: " + shown(name) + " is no name of a region or a material");
+    again.only.push_back(bytes_of(py::str(name)));
+  }
+  if (py::isinstance<PyMesh>(onto)) {
+    const auto& mesh = onto.cast<const PyMesh&>();
+    again.onto = mesh.soup;
+    again.name = "the mesh";
+    again.before = mesh.output;
+    return again;
+  }
+  again.name = py::module_::import("os").attr("fsencode")(onto).cast<std::string>();
+  check_path(again.name);
+  Callables nothing;
+  again.onto = run(nothing, [&] { return triangles_in(again.name); });
+  // Nothing was lost that cannot be read.
+  if (Result<Output> before = read_output(again.name)) again.before = *std::move(before);
+  return again;
+}
+
 PyMesh mesh_input(Input input, py::dict keywords, const py::object& progress,
                   const std::vector<Provenance::Setting>& read_with = {}) {
   Callables callables;
@@ -110,6 +163,7 @@ PyMesh mesh_input(Input input, py::dict keywords, const py::object& progress,
     keywords = keywords.attr("copy")();
     keywords.attr("pop")("size_field");
   }
+  const std::optional<Again> again = take_again(keywords);
   auto [options, idle] = options_from(keywords);
   if (sizes) {
     options.size_field = sizes_of(sizes, callables);
@@ -119,8 +173,19 @@ PyMesh mesh_input(Input input, py::dict keywords, const py::object& progress,
   const Callbacks callbacks = callbacks_of(progress, callables);
   Output output = run(callables, [&, &chosen = options]() -> Result<Output> {
     if (Status status = load_size_field(chosen, input); !status) return std::move(status).error();
-    return cover_mesh(input, chosen, callbacks);
+    if (!again) return cover_mesh(input, chosen, callbacks);
+    Result<Output> made = remesh(input, again->onto, again->only, chosen, callbacks);
+    if (!made && made.error().code == ErrorCode::other_mesh) {
+      Error error = std::move(made).error();
+      error.message = again->name + ": " + error.message;
+      return error;
+    }
+    return made;
   });
+  if (again) {
+    output.report.provenance.settings.push_back({"onto", again->name});
+    if (again->before) keep_attributes(*again->before, again->name, output);
+  }
   std::vector<Provenance::Setting>& settings = output.report.provenance.settings;
   settings.insert(settings.end(), read_with.begin(), read_with.end());
   const std::vector<std::string> unmet = unmet_requirements(output, options);

@@ -1,6 +1,7 @@
 #include "options.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -37,6 +38,14 @@ std::vector<std::string> keywords_of(const Tables&... tables) {
   return keywords;
 }
 
+/// How a picture is drawn.
+constexpr std::array kPictureKeywords{"title", "width", "color"};
+
+std::vector<std::string> with_picture_keywords(std::vector<std::string> keywords) {
+  keywords.insert(keywords.end(), kPictureKeywords.begin(), kPictureKeywords.end());
+  return keywords;
+}
+
 [[noreturn]] void refuse_keyword(const std::string& key, const std::vector<std::string>& known) {
   refuse_option("unexpected option '" + key + "'" + did_you_mean(key, known));
 }
@@ -51,6 +60,19 @@ py::object plain(const py::handle& value) {
 bool is_bytes(const py::handle& value) {
   return PyBytes_Check(value.ptr()) != 0 || PyByteArray_Check(value.ptr()) != 0 ||
          PyMemoryView_Check(value.ptr()) != 0;
+}
+
+/// As `cover render` takes it.
+int width_of(const py::handle& value) {
+  constexpr int kLeast = 200, kMost = 20000;
+  const py::object given = plain(value);
+  if (py::isinstance<py::bool_>(given) || PyIndex_Check(given.ptr()) == 0)
+    refuse_option("width: " + shown(value) + " is not a whole number");
+  int overflow = 0;
+  const long width = PyLong_AsLongAndOverflow(py::int_(given).ptr(), &overflow);
+  if (overflow != 0 || width < kLeast || width > kMost)
+    refuse_option("width: " + shown(value) + " is not in 200..20000");
+  return static_cast<int>(width);
 }
 
 /// What is expected, for whoever gave something of another type.
@@ -290,9 +312,37 @@ Given<WriteOptions> write_options_from(const py::dict& keywords) {
   for (const auto& [name, value] : keywords) {
     const std::string key = py::str(name);
     if (!set_in(find_write_option, key, value, given))
-      refuse_keyword(key, keywords_of(write_option_table()));
+      refuse_keyword(key, with_picture_keywords(keywords_of(write_option_table())));
   }
   return given;
+}
+
+PictureKeywords take_picture_options(py::dict& keywords) {
+  PictureKeywords picture;
+  for (const std::string key : kPictureKeywords) {
+    if (!keywords.contains(key)) continue;
+    const py::object value = keywords[py::str(key)];
+    keywords.attr("pop")(key);
+    if (value.is_none()) continue;
+    picture.given.push_back(key);
+    if (key == "width") {
+      picture.options.width = width_of(value);
+    } else if (py::isinstance<py::str>(value)) {
+      (key == "title" ? picture.options.title : picture.options.color) = bytes_of(value);
+    } else {
+      refuse_option(key + ": " + shown(value) + " is not text");
+    }
+  }
+  return picture;
+}
+
+std::vector<std::string> idle_picture_options(const PictureKeywords& picture,
+                                              const std::string& extension) {
+  std::vector<std::string> sentences;
+  for (const std::string& key : picture.given)
+    if (extension != ".svg" && extension != ".png")
+      sentences.push_back("the option " + key + " does nothing: it counts with pictures only");
+  return sentences;
 }
 
 std::vector<std::string> idle_read_options(const std::vector<const ReadOptionEntry*>& given,

@@ -7,6 +7,7 @@
 #include <pybind11/pybind11.h>
 
 #include <cover/options.hpp>
+#include <cover/picture.hpp>
 #include <cover/read_option_table.hpp>
 #include <cover/write_option_table.hpp>
 
@@ -42,6 +43,20 @@ Given<ReadOptions> take_read_options(pybind11::dict& keywords);
 /// The options of write_option_table().
 /// Raises: as options_from()
 Given<WriteOptions> write_options_from(const pybind11::dict& keywords);
+
+/// How a picture is drawn, and which keywords say so.
+struct PictureKeywords {
+  PictureOptions options;
+  std::vector<std::string> given;
+};
+
+/// Takes title, width and color out of `keywords`.
+/// Raises: as options_from()
+PictureKeywords take_picture_options(pybind11::dict& keywords);
+
+/// Sentences on those of them that were given for a file that is no picture.
+std::vector<std::string> idle_picture_options(const PictureKeywords& picture,
+                                              const std::string& extension);
 
 /// Sentences on those of the options that have no effect on reading any of `paths`.
 std::vector<std::string> idle_read_options(const std::vector<const ReadOptionEntry*>& given,

@@ -98,6 +98,99 @@ class Notes(Case):
         self.assertEqual(pickle.loads(pickle.dumps(mesh)).notes, before + added)
 
 
+    def test_what_files_lack(self):
+        corners = [[0, 0], [9, 0], [9, 9], [0, 9]]
+        features = [({'kind': 'wood'}, 'Polygon', [[*corners, corners[0]]]), ({'name': 'well'}, 'Point', [4, 3])]
+        (self.dir / 'map.geojson').write_text(json.dumps({'type': 'FeatureCollection', 'features': [
+            {'type': 'Feature', 'properties': of, 'geometry': {'type': kind, 'coordinates': at}} for of, kind, at in features]}))
+        mesh = cover.mesh_file(self.dir / 'map.geojson', keep_field='kind', name_field='name')
+        before = mesh.notes
+        for name in 'x.vtm', 'x.vtkhdf', 'x.svg', 'x.poly', 'x.json':
+            mesh.save(self.dir / name)
+        self.assertEqual(mesh.notes, before)
+        for _ in range(2):
+            mesh.save(self.dir / 'x.obj')
+        added = mesh.notes[len(before):]
+        self.assertEqual(len(added), 2)
+        self.assertRegex(added[0], r'^attributes \(kind\) are not in x\.obj: formats that hold them are .*\.vtm')
+        self.assertRegex(added[1], r'^names of points \(well\) are not in x\.obj: formats that hold them are .*\.msh')
+        square = cover.mesh(np.array([[0, 0], [1 + 2**-52, 0], [1, 1.2345678901234567e-7]]), [[0, 1], [1, 2], [2, 0]])
+        square.save(self.dir / 'x.inp')
+        self.assertTrue(any('in x.inp' in note and 'rounded' in note for note in square.notes), square.notes)
+        doped = cover.mesh_file(DATA / 'nmos.tif')
+        doped.save(self.dir / 'x.mesh')
+        self.assertTrue(any(note.startswith('values at points (') for note in doped.notes))
+
+
+class Pictures(Case):
+    def test_title_width_and_colour(self):
+        mesh = cover.mesh(SQUARE, RING)
+        mesh.save(self.dir / 'a.svg')
+        mesh.save(self.dir / 'b.svg', title='Two <triangles> ö', width=640, color='max_angle')
+        plain, text = ((self.dir / name).read_text(encoding='utf8') for name in ('a.svg', 'b.svg'))
+        self.assertIn('Two &lt;triangles&gt; ö', text)
+        self.assertRegex(text, r'<svg [^>]*width="640')
+        self.assertIn('max_angle', text)
+        self.assertNotIn('max_angle', plain)
+        mesh.save(self.dir / 'b.png', title='x', width=np.int64(500), color=None)
+        self.assertEqual(int.from_bytes((self.dir / 'b.png').read_bytes()[16:20], 'big'), 500)
+
+    def test_mistakes(self):
+        mesh = cover.mesh(SQUARE, RING)
+        for said, options in (('width: 10 is not in 200..20000', {'width': 10}), ('width: 640.5 is not a whole number', {'width': 640.5}),
+                              ('width: True is not a whole number', {'width': True}), ('title: 7 is not text', {'title': 7}),
+                              ("unexpected option 'colour'; did you mean 'color'", {'colour': 'x'})):
+            with self.assertRaisesRegex(cover.OptionError, said):
+                mesh.save(self.dir / 'a.svg', **options)
+        with self.assertRaisesRegex(cover.Error, "the mesh has no array 'depth'"):
+            mesh.save(self.dir / 'a.svg', color='depth')
+        self.assertEqual(list(self.dir.iterdir()), [])
+        mesh.save(self.dir / 'a.vtu', title='x', width=None)
+        self.assertEqual(mesh.notes[-1], 'the option title does nothing: it counts with pictures only')
+
+
+class MeshingAgain(Case):
+    SIDE = np.concatenate([SQUARE[k] * 4 + (SQUARE[(k + 1) % 4] - SQUARE[k]) * np.arange(0, 4, 0.5)[:, None] for k in range(4)])
+    POLYGONS = [('Si', [SIDE], 'left'), ('Cu', [SIDE + (4, 0)], 'right')]
+
+    def test_others_stay_bit_for_bit(self):
+        mesh = cover.mesh_polygons(self.POLYGONS)
+        mesh.save(self.dir / 'a.vtm')
+        mesh.save(self.dir / 'lone.msh')
+        for onto in mesh, self.dir / 'a.vtm', str(self.dir / 'lone.msh'):
+            for only in 'left', ['left'], 'Si', ('region:1',), 1:
+                again = cover.mesh_polygons(self.POLYGONS, only=only, onto=onto, size=0.2)
+                self.assertGreater(np.sum(again.region == 1), np.sum(mesh.region == 1))
+                self.assertEqual(again.points[again.triangles[again.region == 2]].tolist(),
+                                 mesh.points[mesh.triangles[mesh.region == 2]].tolist())
+                self.assertEqual(again.violations(), [])
+                self.assertEqual(again.report['regions'][1]['method'], 'kept')
+        same = cover.mesh_polygons(self.POLYGONS, only=['left', 'right'], onto=mesh)
+        self.assertEqual(same.points.tolist(), mesh.points.tolist())
+
+    def test_of_arrays_and_files(self):
+        graph = (self.SIDE, [(k, (k + 1) % 32) for k in range(32)], [(1, 1, 'Si')])
+        mesh = cover.mesh(*graph)
+        self.assertGreater(len(cover.mesh(*graph, only='Si', onto=mesh, size=0.2).triangles), len(mesh.triangles))
+        doped = cover.mesh_file(DATA / 'nmos.tif')
+        again = cover.mesh_file(DATA / 'nmos.tif', only=doped.regions[0]['name'], onto=doped, max_angle=110)
+        self.assertEqual(set(again.fields), set(doped.fields))
+
+    def test_mistakes(self):
+        mesh = cover.mesh_polygons(self.POLYGONS)
+        for more in {'only': 'left'}, {'onto': mesh}:
+            with self.assertRaisesRegex(TypeError, 'both are needed'):
+                cover.mesh_polygons(self.POLYGONS, **more)
+        with self.assertRaisesRegex(TypeError, 'only: 0.5 is no name'):
+            cover.mesh_polygons(self.POLYGONS, only=[0.5], onto=mesh)
+        with self.assertRaisesRegex(cover.OptionError, 'middle'):
+            cover.mesh_polygons(self.POLYGONS, only='middle', onto=mesh)
+        with self.assertRaisesRegex(cover.Error, '^the mesh: '):
+            cover.mesh(SQUARE * 3, RING, [(1, 1, 'Si')], only='Si', onto=mesh)
+        with self.assertRaises(cover.Error):
+            cover.mesh_polygons(self.POLYGONS, only='left', onto=self.dir / 'none.vtu')
+
+
 class Pickling(Case):
     def manifest(self, mesh):
         mesh.save(self.dir / 'x.json')

@@ -72,7 +72,7 @@ def write_options():
     return _write_options()
 
 
-def mesh(points, segments, regions=(), holes=(), *, lines=None, progress=None, **options):
+def mesh(points, segments, regions=(), holes=(), *, lines=None, progress=None, only=None, onto=None, **options):
     """Meshes a planar straight-line graph.
 
     points: (n, 2) floats; segments: (m, 2) indices into points; regions: (x, y, material) or
@@ -81,8 +81,18 @@ def mesh(points, segments, regions=(), holes=(), *, lines=None, progress=None, *
     enclosed face is meshed. lines: of contacts and named interfaces, the indices of their segments
     by name.
     progress(stage, done, total) is called now and then; returning False raises Cancelled.
+    only: names of regions or materials, one or several, that alone are meshed, inside onto, a Mesh of this geometry or
+    the path of one: all else of it stays, bit for bit.
     """
-    return _mesh_pslg(points, segments, list(_or_none(regions)), _or_none(holes), dict(_by_name(lines, "segments")), options, progress)
+    return _mesh_pslg(points, segments, list(_or_none(regions)), _or_none(holes), dict(_by_name(lines, "segments")),
+                      _again(options, only, onto), progress)
+
+
+def _again(options, only, onto):
+    """Options with those of meshing again."""
+    if (only is None) != (onto is None):
+        raise TypeError("only names the regions that are meshed again in the mesh onto: both are needed")
+    return options if onto is None else {**options, "only": only, "onto": onto}
 
 
 def _or_none(places):
@@ -162,7 +172,8 @@ def _check_polygon(k, polygon):
             raise TypeError(f"polygon {k}: a ring must be a list of points; rings are a list of such lists")
 
 
-def mesh_polygons(polygons, *, lines=None, holes=(), chord_error=None, unit=None, progress=None, **options):
+def mesh_polygons(polygons, *, lines=None, holes=(), chord_error=None, unit=None, progress=None, only=None, onto=None,
+                  **options):
     """Meshes painted polygons, each (material, rings), (material, rings, name), or a dictionary with the keys
     material, rings, region, priority, size, as in JSON.
 
@@ -171,7 +182,9 @@ def mesh_polygons(polygons, *, lines=None, holes=(), chord_error=None, unit=None
     each with "chords" or "chord_error", unless chord_error says it for all. Where polygons overlap the higher
     priority wins, then the later one, or as the option overlap says.
     lines: contacts, paths by name; a name may have a list of paths. holes: (k, 2) floats, a point in each void.
+    only, onto: as mesh() has them.
     """
+    options = _again(options, only, onto)
     if isinstance(polygons, (str, _Mapping)) or not hasattr(polygons, "__iter__"):
         raise TypeError("polygons must be a list of (material, rings), (material, rings, name) or dictionaries")
     polygons, holes = list(polygons), _or_none(holes)
@@ -224,17 +237,17 @@ def _number(value):
     raise TypeError(f"{value!r} is no number, text, list or dictionary")
 
 
-def mesh_file(path, *, progress=None, **options):
+def mesh_file(path, *, progress=None, only=None, onto=None, **options):
     """Meshes a geometry file of any format that `cover mesh` reads, or several of them, a list, as one geometry: later
     polygons are painted over earlier ones.
 
     Options are those of meshing and those of reading, which read_options() lists: layer_map="layers.map",
-    window=(0, 0, 2, 1), scale=1e-3.
+    window=(0, 0, 2, 1), scale=1e-3. only, onto: as mesh() has them.
     """
     paths = path if isinstance(path, (list, tuple)) else [path]
     if not paths:
         raise TypeError("mesh_file: no file")
-    return _mesh_files([_os.fsencode(p) for p in paths], options, progress)
+    return _mesh_files([_os.fsencode(p) for p in paths], _again(options, only, onto), progress)
 
 
 def read(path):

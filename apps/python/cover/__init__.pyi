@@ -17,6 +17,8 @@ _Path = Union[npt.ArrayLike, Sequence[Union[Tuple[float, float], Mapping[str, An
 _Rings = Sequence[_Path]
 _Sizes = Union[float, str, Sequence[str], Mapping[str, Union[float, str]]]
 _Layers = Union[str, Sequence[str], Mapping[str, Union[str, Sequence[float]]]]
+_Only = Union[str, int, Sequence[Union[str, int]]]
+_Onto = Union["Mesh", str, os.PathLike[str]]
 _Polygon = Union[Tuple[_Material, _Rings], Tuple[_Material, _Rings, str], Mapping[str, Any]]
 
 class _Options(TypedDict, total=False):
@@ -85,6 +87,11 @@ class _WriteOptions(TypedDict, total=False):
     inp_element: Literal["S", "CPS", "CPE", "CAX"]
     parts: int
 
+class _SaveOptions(_WriteOptions, total=False):
+    title: Optional[str]  # of pictures, as what follows
+    width: Optional[int]  # pixels
+    color: Optional[str]  # an array that is shown by colour: "max_angle"
+
 class _Line(TypedDict):
     left: int
     right: int
@@ -139,7 +146,7 @@ class Mesh:
     def report(self) -> dict[str, Any]: ...
     @property
     def notes(self) -> list[str]: ...  # what `cover mesh` would warn of
-    def save(self, path: Union[str, os.PathLike[str]], **options: Unpack[_WriteOptions]) -> None: ...
+    def save(self, path: Union[str, os.PathLike[str]], **options: Unpack[_SaveOptions]) -> None: ...
     def violations(self) -> list[str]: ...  # ValueError for a mesh that was read, copied or pickled
     def to_vtk(self) -> Any: ...
     def to_meshio(self) -> Any: ...
@@ -152,6 +159,8 @@ def mesh(
     *,
     lines: Optional[Mapping[str, npt.ArrayLike]] = None,
     progress: Optional[_Progress] = None,
+    only: Optional[_Only] = None,
+    onto: Optional[_Onto] = None,
     **options: Unpack[_Options],
 ) -> Mesh: ...
 def mesh_polygons(
@@ -162,6 +171,8 @@ def mesh_polygons(
     chord_error: Optional[float] = None,
     unit: Optional[Literal["nm", "um", "mm", "cm", "m"]] = None,
     progress: Optional[_Progress] = None,
+    only: Optional[_Only] = None,
+    onto: Optional[_Onto] = None,
     **options: Unpack[_Options],
 ) -> Mesh: ...
 def read(path: Union[str, os.PathLike[str]]) -> Mesh: ...
@@ -172,5 +183,7 @@ def mesh_file(
     path: Union[str, os.PathLike[str], Sequence[Union[str, os.PathLike[str]]]],
     *,
     progress: Optional[_Progress] = None,
+    only: Optional[_Only] = None,
+    onto: Optional[_Onto] = None,
     **options: Unpack[_FileOptions],
 ) -> Mesh: ...

@@ -35,4 +35,11 @@ Result<Output> remesh(const Input& input, const TriangleSoup& onto,
                       std::span<const std::string> only, const Options& options = {},
                       const Callbacks& callbacks = {});
 
+/// What `before`, which was meshed again, has from the input of its run and `output` does not have
+/// from this one's: attributes of regions stay; values at points have none in new vertices, which a
+/// note tells, with `name` for that mesh.
+///
+/// REQUIRES: `output` is remesh() of it
+void keep_attributes(const Output& before, const std::string& name, Output& output);
+
 }  // namespace cover

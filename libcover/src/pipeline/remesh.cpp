@@ -290,4 +290,21 @@ Result<Output> remesh(const Input& input, const TriangleSoup& onto,
   });
 }
 
+void keep_attributes(const Output& before, const std::string& name, Output& output) {
+  if (before.table.regions.size() != output.table.regions.size()) return;
+  const auto has = [](const auto& all, const std::string& called) {
+    return std::any_of(all.begin(), all.end(), [&](const auto& one) { return one.name == called; });
+  };
+  for (const Attribute& attribute : before.table.attributes)
+    if (!has(output.table.attributes, attribute.name)) output.table.attributes.push_back(attribute);
+  for (const PlaneField::Array& field : before.fields) {
+    if (has(output.fields, field.name)) continue;
+    output.report.notes.push_back(
+        {Note::Kind::warning,
+         kVoid,
+         fmt::format("the values '{}' of {} are left out: this input has none", field.name, name),
+         {}});
+  }
+}
+
 }  // namespace cover

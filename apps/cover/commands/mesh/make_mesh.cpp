@@ -37,29 +37,6 @@ bool has_comma(const std::vector<std::string>& names) {
                      [](const std::string& name) { return name.find(',') != name.npos; });
 }
 
-/// What came to `onto` with the input of its run, and does not come with this one's: attributes of
-/// regions stay; values at points have none in new vertices, which is told.
-void keep_attributes(const MeshSource& onto, Output& output) {
-  Result<Output> before = read_output(onto.file());
-  // Nothing was lost that cannot be read.
-  if (!before || before->table.regions.size() != output.table.regions.size()) return;
-  const auto has = [](const auto& all, const std::string& name) {
-    return std::any_of(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
-  };
-  for (Attribute& attribute : before->table.attributes)
-    if (!has(output.table.attributes, attribute.name))
-      output.table.attributes.push_back(std::move(attribute));
-  for (const PlaneField::Array& field : before->fields) {
-    if (has(output.fields, field.name)) continue;
-    output.report.notes.push_back(
-        {Note::Kind::warning,
-         kVoid,
-         fmt::format("the values '{}' of {} are left out: this input has none", field.name,
-                     onto.name()),
-         {}});
-  }
-}
-
 /// Meshes parts of a mesh again.
 Result<Output> mesh_again(const MeshPlan& plan, const Input& input, const Options& options,
                           const Callbacks& callbacks, spdlog::logger& log) {
@@ -72,7 +49,9 @@ Result<Output> mesh_again(const MeshPlan& plan, const Input& input, const Option
   Result<Output> output = remesh(input, onto->soup, plan.only, options, callbacks);
   if (output) {
     output->report.provenance.settings.push_back({"onto", plan.onto});
-    keep_attributes(*source, *output);
+    // Nothing was lost that cannot be read.
+    if (const Result<Output> before = read_output(source->file()))
+      keep_attributes(*before, source->name(), *output);
     return output;
   }
   Error error = std::move(output).error();
