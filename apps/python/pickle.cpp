@@ -126,9 +126,32 @@ py::list pickled_attributes(const RegionTable& table) {
 
 py::list pickled_fields(const Output& output) {
   py::list out;
-  for (const PlaneField::Array& field : output.fields)
-    out.append(py::make_tuple(field.name, array_of(field.values)));
+  for (std::size_t k = 0; k < output.fields.size(); ++k) {
+    py::list of_regions;
+    if (k < output.region_values.size())
+      for (const auto& [vertex, region, value] : output.region_values[k])
+        of_regions.append(py::make_tuple(vertex, region.value(), value));
+    out.append(
+        py::make_tuple(output.fields[k].name, array_of(output.fields[k].values), of_regions));
+  }
   return out;
+}
+
+/// States of old versions have none.
+std::vector<RegionValue> region_values_in(const py::tuple& field, const Output& output) {
+  std::vector<RegionValue> values;
+  if (field.size() < 3) return values;
+  for (const py::handle& item : field[2].cast<py::list>()) {
+    const auto row = item.cast<py::tuple>();
+    const RegionValue value{row[0].cast<std::uint32_t>(), RegionId(row[1].cast<std::uint32_t>()),
+                            row[2].cast<double>()};
+    if (value.vertex >= output.mesh.vertices() || value.region == kVoid ||
+        value.region.index() > output.table.regions.size() ||
+        (!values.empty() && !(values.back().place() < value.place())))
+      throw py::value_error("this is no state of a cover.Mesh");
+    values.push_back(value);
+  }
+  return values;
 }
 
 std::vector<double> doubles_in(const py::handle& value, std::size_t size) {
@@ -154,6 +177,7 @@ void take_values(const py::tuple& state, Output& output) {
     const auto row = item.cast<py::tuple>();
     output.fields.push_back(
         {row[0].cast<std::string>(), doubles_in(row[1], output.mesh.vertices())});
+    output.region_values.push_back(region_values_in(row, output));
   }
 }
 

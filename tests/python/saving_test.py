@@ -191,6 +191,19 @@ class MeshingAgain(Case):
             cover.mesh_polygons(self.POLYGONS, only='left', onto=self.dir / 'none.vtu')
 
 
+class ValuesOfRegions(Case):
+    def test_survive_files_and_pickling(self):
+        mesh = cover.mesh_file(DATA / 'nmos.tif')
+        def blocks(of, name):
+            of.save(self.dir / f'{name}.vtm')
+            return {file.name[1:]: file.read_bytes() for file in (self.dir / name).iterdir()}
+        before = blocks(mesh, 'a')
+        self.assertTrue(before == blocks(pickle.loads(pickle.dumps(mesh)), 'b'))
+        self.assertTrue(before == blocks(cover.read(self.dir / 'a.vtm'), 'c'))
+        mesh.save(self.dir / 'd.vtu')  # which has one value for all regions
+        self.assertFalse(before == blocks(cover.read(self.dir / 'd.vtu'), 'e'))
+
+
 class Pickling(Case):
     def manifest(self, mesh):
         mesh.save(self.dir / 'x.json')

@@ -86,9 +86,11 @@ struct MeshView {
   std::vector<std::uint32_t> periodic_node;
 
   /// RegionTable::attributes, by RegionId - 1, and Output::fields, by point, in the middle of an
-  /// edge the mean of its ends. Names are legible, without '/', all different and none of ours.
+  /// edge the mean of its ends, also in each region. Names are legible, without '/', all different
+  /// and none of ours.
   std::vector<Attribute> attributes;
   std::vector<PlaneField::Array> fields;
+  RegionValues region_values;  ///< of `fields`, as Output::region_values
 
   [[nodiscard]] bool second_order() const { return triangles.nodes_each == 6; }
   [[nodiscard]] const Group& group_of_triangle(std::size_t t) const {

@@ -47,6 +47,7 @@ struct StoredMesh {
   std::vector<StoredArc> arcs;
   std::vector<Attribute> attributes;      ///< as RegionTable::attributes
   std::vector<PlaneField::Array> fields;  ///< as Output::fields
+  RegionValues region_values;             ///< as Output::region_values
   Provenance provenance;                  ///< and unit and scale: as in Report
   std::string unit;
   double scale = 1;

@@ -275,8 +275,28 @@ class Rebuilder {
       if (field.values.size() != soup_.points.size())
         return wrong(fmt::format("the field '{}' has not one value per point", field.name));
     }
+    if (std::optional<Error> error = check_region_values()) return error;
     out_.table.attributes = stored_.attributes;
     out_.fields = stored_.fields;
+    out_.region_values = stored_.region_values;
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<Error> check_region_values() const {
+    const auto is_there = [&](const RegionValue& one) {
+      return one.vertex < soup_.points.size() && one.region != kVoid &&
+             one.region.index() <= out_.table.regions.size();
+    };
+    const auto is_not_before = [](const RegionValue& a, const RegionValue& b) {
+      return !(a.place() < b.place());
+    };
+    if (stored_.region_values.size() > stored_.fields.size())
+      return wrong("regions have values of fields that are not there");
+    for (const std::vector<RegionValue>& values : stored_.region_values) {
+      if (!std::all_of(values.begin(), values.end(), is_there) ||
+          std::adjacent_find(values.begin(), values.end(), is_not_before) != values.end())
+        return wrong("values of regions at vertices are in no order, or not in the mesh");
+    }
     return std::nullopt;
   }
 

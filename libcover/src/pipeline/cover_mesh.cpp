@@ -101,11 +101,17 @@ Result<Output> stitch_regions(Work work, const Callbacks& callbacks, StageClock&
   if (!mesh) return std::move(mesh).error();
   collect_reports(work.meshes, work.report);
   std::vector<PeriodicNodes> periodic = periodic_nodes(work.pslg, work.rules, *mesh);
-  std::vector<PlaneField::Array> fields;
-  if (work.field) fields = carry_field(*work.field, *mesh, work.report.notes);
+  CarriedField carried;
+  if (work.field) carried = carry_field(*work.field, *mesh, work.report.notes);
   clock.note("stitch", work.report.times);
-  return Output{*std::move(mesh),       std::move(work.pslg), std::move(work.table),
-                std::move(work.report), std::move(periodic),  std::move(fields)};
+  return Output{*std::move(mesh),
+                std::move(work.pslg),
+                std::move(work.table),
+                std::move(work.report),
+                std::move(periodic),
+                std::move(carried.fields),
+                {},
+                std::move(carried.region_values)};
 }
 
 Result<Output> cover_mesh(const Input& input, const Options& asked, const Callbacks& callbacks) {

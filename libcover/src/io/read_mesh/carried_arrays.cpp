@@ -109,22 +109,37 @@ std::vector<std::string> take_attributes(std::vector<CellArray> of_triangles,
 /// Arrays of points become fields, or the values of known ones. Returns the names of known fields
 /// that got none.
 std::vector<std::string> take_fields(std::vector<PlaneField::Array> of_points,
-                                     const std::vector<std::string>& known, StoredMesh& stored) {
-  std::vector<std::string> lost;
+                                     RegionValues of_regions, const std::vector<std::string>& known,
+                                     StoredMesh& stored) {
   std::set<std::string> taken;
-  for (PlaneField::Array& array : of_points) {
+  of_regions.resize(of_points.size());
+  stored.region_values.clear();
+  for (std::size_t p = 0; p < of_points.size(); ++p) {
+    PlaneField::Array& array = of_points[p];
     if (is_own_array(array.name) || !taken.insert(array.name).second) continue;
     const auto place = std::find(known.begin(), known.end(), array.name);
+    std::size_t k = stored.fields.size();
     if (place == known.end()) {
       stored.fields.push_back(std::move(array));
     } else {
-      stored.fields[static_cast<std::size_t>(place - known.begin())].values =
-          std::move(array.values);
+      k = static_cast<std::size_t>(place - known.begin());
+      stored.fields[k].values = std::move(array.values);
     }
+    stored.region_values.resize(std::max(stored.region_values.size(), k + 1));
+    stored.region_values[k] = std::move(of_regions[p]);
   }
-  for (std::size_t k = 0; k < known.size(); ++k)
-    if (stored.fields[k].values.empty()) lost.push_back(stored.fields[k].name);
-  std::erase_if(stored.fields, [](const PlaneField::Array& field) { return field.values.empty(); });
+  stored.region_values.resize(stored.fields.size());
+  std::vector<std::string> lost;
+  for (std::size_t k = known.size(); k-- > 0;) {
+    if (!stored.fields[k].values.empty()) continue;
+    lost.push_back(stored.fields[k].name);
+    stored.fields.erase(stored.fields.begin() + static_cast<std::ptrdiff_t>(k));
+    stored.region_values.erase(stored.region_values.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+  std::reverse(lost.begin(), lost.end());
+  const auto has_none = [](const std::vector<RegionValue>& values) { return values.empty(); };
+  if (std::all_of(stored.region_values.begin(), stored.region_values.end(), has_none))
+    stored.region_values.clear();
   return lost;
 }
 
@@ -132,11 +147,13 @@ std::vector<std::string> take_fields(std::vector<PlaneField::Array> of_points,
 
 std::vector<std::string> take_arrays(std::vector<CellArray> of_triangles,
                                      std::vector<PlaneField::Array> of_points,
-                                     const ArrayWords& words, StoredMesh& stored) {
+                                     const ArrayWords& words, StoredMesh& stored,
+                                     RegionValues of_regions) {
   const KnownNames known = known_names(stored);
   const std::vector<std::string> mixed =
       take_attributes(std::move(of_triangles), known.attributes, words, stored);
-  const std::vector<std::string> lost = take_fields(std::move(of_points), known.fields, stored);
+  const std::vector<std::string> lost =
+      take_fields(std::move(of_points), std::move(of_regions), known.fields, stored);
   std::vector<std::string> sentences;
   if (!mixed.empty())
     sentences.push_back(fmt::format(

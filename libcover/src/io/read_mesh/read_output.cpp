@@ -45,6 +45,7 @@ Result<bool> take_names_from_vtm(const std::string& path, StoredMesh& stored) {
   take_points(named, stored);
   stored.attributes = std::move(named.attributes);
   stored.fields = std::move(named.fields);
+  stored.region_values = std::move(named.region_values);
   stored.provenance = std::move(named.provenance);
   stored.unit = std::move(named.unit);
   stored.scale = named.scale;

@@ -3,6 +3,7 @@
 #include <cover/mesh_view.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
@@ -375,16 +376,39 @@ class Viewer {
       const std::size_t n = view_.attributes.size();
       (k < n ? view_.attributes[k].name : view_.fields[k - n].name) = names[k];
     }
+    view_.region_values = output_.region_values;
     if (options_.order != 2) return;
-    for (PlaneField::Array& field : view_.fields) {
+    for (std::size_t k = 0; k < view_.fields.size(); ++k) {
+      PlaneField::Array& field = view_.fields[k];
       for (const Edge e : tri_.edges()) {
         const Halfedge h = TriMesh::s_halfedge_handle(e, 0);
         const auto value = [&](TriMesh::VertexHandle v) {
           return field.values[static_cast<std::size_t>(v.idx())];
         };
+        add_values_of_regions(h, k);
         field.values.push_back(value(tri_.from_vertex_handle(h)) / 2 +
                                value(tri_.to_vertex_handle(h)) / 2);
       }
+    }
+  }
+
+  /// In the middle of the edge of `h`, which is the next point, where they differ from the mean.
+  void add_values_of_regions(Halfedge h, std::size_t k) {
+    if (k >= view_.region_values.size() || view_.region_values[k].empty()) return;
+    const std::vector<double>& values = view_.fields[k].values;
+    const auto a = static_cast<std::uint32_t>(tri_.from_vertex_handle(h).idx());
+    const auto b = static_cast<std::uint32_t>(tri_.to_vertex_handle(h).idx());
+    const double mean = values[a] / 2 + values[b] / 2;
+    std::set<RegionId> regions;
+    for (const Halfedge side : {h, tri_.opposite_halfedge_handle(h)})
+      if (const auto face = tri_.face_handle(side); face.is_valid())
+        regions.insert(mesh_.region(face));
+    for (const RegionId region : regions) {
+      const double value = value_in(view_.fields, view_.region_values, k, a, region) / 2 +
+                           value_in(view_.fields, view_.region_values, k, b, region) / 2;
+      if (value != mean && !(std::isnan(value) && std::isnan(mean)))
+        view_.region_values[k].push_back(
+            {static_cast<std::uint32_t>(values.size()), region, value});
     }
   }
 

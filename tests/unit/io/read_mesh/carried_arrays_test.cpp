@@ -4,6 +4,7 @@
 
 #include <cover/files.hpp>
 #include <cover/mesh.hpp>
+#include <cover/mesh_view.hpp>
 #include <cover/read_mesh.hpp>
 #include <cover/write_mesh.hpp>
 
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <set>
 #include <string>
 
 #include "support/temporary_folder.hpp"
@@ -102,6 +104,93 @@ TEST(CarriedArrays, ComeBackFromEveryFormatThatBearsThem) {
       }
     }
   }
+}
+
+/// Where regions meet that are different blocks, the first and the last have values of their own.
+void add_values_of_regions(Output& output) {
+  const TriMesh& tri = output.mesh.tri();
+  std::vector<std::set<RegionId>> at(output.mesh.vertices());
+  for (const auto face : tri.faces())
+    for (const auto v : tri.fv_range(face))
+      at[static_cast<std::size_t>(v.idx())].insert(output.mesh.region(face));
+  output.region_values.assign(output.fields.size(), {});
+  for (std::uint32_t v = 0; v < at.size(); ++v) {
+    std::set<std::string> names;
+    for (const RegionId region : at[v]) names.insert(output.table.region(region).name);
+    if (names.size() < 2 || names.size() < at[v].size()) continue;
+    const double value = output.fields[0].values[v];
+    output.region_values[0].push_back({v, *at[v].begin(), v % 2 == 0 ? kNan : value / 4});
+    output.region_values[1].push_back({v, *at[v].rbegin(), 0});
+  }
+}
+
+/// Equal places and values, NaN being one value.
+void expect_same(const std::vector<RegionValue>& a, const std::vector<RegionValue>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    EXPECT_EQ(a[k].place(), b[k].place());
+    expect_same(std::vector{a[k].value}, std::vector{b[k].value});
+  }
+}
+
+TEST(CarriedArrays, EachBlockOfAVtmHasTheValuesOfItsRegion) {
+  Output output = device_with_arrays();
+  // Else no region could have a value there.
+  for (PlaneField::Array& field : output.fields) field.values[0] = 1;
+  add_values_of_regions(output);
+  ASSERT_FALSE(output.region_values[0].empty());
+  for (const int order : {1, 2}) {
+    for (const bool manifest : {false, true}) {
+      SCOPED_TRACE(order);
+      const testing::TemporaryFolder folder;
+      const std::string path = folder.path() / "x.vtm", again = folder.path() / "y.vtm";
+      ASSERT_TRUE(write_mesh(output, path, {.order = order}));
+      if (manifest) {
+        ASSERT_TRUE(write_mesh(output, folder.path() / "x.json", {.order = order}));
+      }
+      const Result<Output> back = read_output(path);
+      ASSERT_TRUE(back) << back.error().message;
+      ASSERT_TRUE(write_mesh(*back, again, {.order = order}));
+      const Result<Output> twice = read_output(again);
+      ASSERT_TRUE(twice) << twice.error().message;
+      for (const Output* read : {&*back, &*twice}) {
+        ASSERT_EQ(read->region_values.size(), 2U);
+        for (std::size_t n = 0; n < 2; ++n) {
+          const std::size_t k = read->fields[n].name == "Boron" ? 1 : 0;
+          expect_same(read->fields[n].values, output.fields[k].values);
+          expect_same(read->region_values[n], output.region_values[k]);
+        }
+      }
+    }
+  }
+  // What has one value at a point has the largest one.
+  const testing::TemporaryFolder folder;
+  ASSERT_TRUE(write_mesh(output, folder.path() / "x.vtu", {}));
+  const Result<Output> whole = read_output(folder.path() / "x.vtu");
+  ASSERT_TRUE(whole) << whole.error().message;
+  EXPECT_TRUE(whole->region_values.empty());
+  for (const PlaneField::Array& after : whole->fields)
+    expect_same(after.values, output.fields[after.name == "Boron" ? 1 : 0].values);
+}
+
+TEST(CarriedArrays, InTheMiddleOfAnEdgeARegionHasTheMeanOfItsValues) {
+  Output output = device_with_arrays();
+  for (double& value : output.fields[1].values) value = 8;
+  add_values_of_regions(output);
+  const MeshView view = view_of(output, {.order = 2});
+  std::size_t others = 0;
+  for (std::size_t t = 0; t < view.triangles.size(); ++t) {
+    const auto nodes = view.triangles[t];
+    const auto seen = [&](std::size_t k) {
+      return value_in(view.fields, view.region_values, 1, nodes[k], view.region[t]);
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double a = seen(k), b = seen((k + 1) % 3);
+      EXPECT_EQ(seen(k + 3), (a + b) / 2);
+      others += a + b < 16 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(others, 0U);
 }
 
 TEST(CarriedArrays, ValuesAtPointsComeBackFromVtk) {
@@ -210,6 +299,13 @@ TEST(CarriedArrays, AreCheckedBeforeTheyAreTaken) {
   const Result<Output> output = rebuild(stored);
   ASSERT_TRUE(output);
   EXPECT_EQ(output->fields[0].values, (std::vector<double>{1, 2, 3}));
+  for (const std::vector<RegionValue>& wrong :
+       {std::vector<RegionValue>{{3, RegionId(1), 0}},
+        std::vector<RegionValue>{{0, RegionId(9), 0}},
+        std::vector<RegionValue>{{1, RegionId(1), 0}, {0, RegionId(1), 0}}}) {
+    stored.region_values = {wrong};
+    EXPECT_FALSE(rebuild(stored));
+  }
 }
 
 }  // namespace

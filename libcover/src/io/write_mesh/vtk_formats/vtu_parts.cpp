@@ -174,6 +174,40 @@ struct Part {
   std::vector<std::uint32_t> numbers;  ///< by point: in the whole mesh
 };
 
+/// Has the last arrays of points, those of the fields, tell what the regions of `triangles` have
+/// at the points of `part`. Of several that meet in one block the largest magnitude counts.
+void set_values_of_regions(const MeshView& view, std::span<const std::size_t> triangles,
+                           const Part& part, VtuGrid& grid) {
+  const auto local = [&](std::uint32_t vertex) {
+    return std::lower_bound(part.numbers.begin(), part.numbers.end(), vertex);
+  };
+  for (std::size_t k = 0; k < view.region_values.size(); ++k) {
+    const PlaneField::Array& field = view.fields[k];
+    std::vector<bool> is_shared(part.numbers.size());
+    bool any = false;
+    for (const RegionValue& one : view.region_values[k]) {
+      const auto found = local(one.vertex);
+      if (found == part.numbers.end() || *found != one.vertex) continue;
+      is_shared[static_cast<std::size_t>(found - part.numbers.begin())] = any = true;
+    }
+    if (!any) continue;
+    const auto values = std::make_shared<std::vector<double>>();
+    for (const std::uint32_t vertex : part.numbers) values->push_back(field.values[vertex]);
+    std::vector<bool> is_set(part.numbers.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      for (const std::uint32_t p : part.cells[t]) {
+        if (!is_shared[p]) continue;
+        const double value = value_in(view.fields, view.region_values, k, part.numbers[p],
+                                      view.region[triangles[t]]);
+        (*values)[p] = is_set[p] ? larger_value((*values)[p], value) : value;
+        is_set[p] = true;
+      }
+    }
+    grid.point_data[grid.point_data.size() - view.fields.size() + k] = vtu_array<double>(
+        field.name, values->size(), [values](std::size_t p) { return (*values)[p]; });
+  }
+}
+
 /// The largest and the smallest angle of a triangle of `view`, in degrees.
 std::array<double, 2> extreme_angles(const MeshView& view, std::size_t triangle) {
   const auto corners = view.triangles[triangle];
@@ -273,6 +307,7 @@ void write_triangles(const MeshView& view, std::span<const std::size_t> triangle
                      const ByteSink& sink) {
   const Part part(view.triangles, triangles);
   VtuGrid grid = part.grid(view, type_of_triangles(view));
+  set_values_of_regions(view, triangles, part, grid);
   add_triangle_arrays(
       view, triangles.size(), [triangles](std::size_t k) { return triangles[k]; }, grid);
   write_vtu_bytes(grid, sink);

@@ -157,6 +157,7 @@ class BlockReader {
  public:
   std::vector<CellArray> of_triangles;        ///< in the order of the triangles
   std::vector<PlaneField::Array> of_points;   ///< complete after finish()
+  RegionValues region_values;                 ///< of these, likewise
   std::vector<std::array<Point, 3>> middles;  ///< complete after finish()
   bool has_periodic_points = false;
 
@@ -228,10 +229,45 @@ class BlockReader {
     return true;
   }
 
+  /// Notes where regions of a block have other values at points than `of_points`, which hold the
+  /// largest of all blocks. To be called after add_regions() for all of them.
+  void add_values_of_regions(const Block& block) {
+    const DataSet& data = block.file.data;
+    const NumberArray* global = data.array_of_points("GlobalNodeId");
+    const NumberArray* region = data.array_of_cells("RegionId");
+    if (global == nullptr || region == nullptr) return;
+    region_values.resize(of_points.size());
+    for (std::size_t k = 0; k < of_points.size(); ++k) {
+      const PlaneField::Array& into = of_points[k];
+      const NumberArray* from = data.array_of_points(into.name);
+      if (from == nullptr) continue;
+      const auto differs = [&](std::uint32_t p) {
+        const double own = value(*from, p), largest = into.values[number(*global, p)];
+        return own != largest && !(std::isnan(own) && std::isnan(largest));
+      };
+      std::array<std::uint32_t, 8> room{};
+      for (std::size_t c = 0; c < data.cell_count(); ++c) {
+        for (const std::uint32_t p : data.nodes(c, room).first(3))
+          if (differs(p))
+            region_values[k].push_back(
+                {number(*global, p), RegionId(number(*region, c)), value(*from, p)});
+      }
+    }
+  }
+
   /// To be called after the last block: midpoints left out.
   void finish() {
     TriangleSoup& soup = stored_.soup;
     for (PlaneField::Array& array : of_points) array.values.resize(soup.points.size(), kNoNumber);
+    for (std::vector<RegionValue>& all : region_values) {
+      std::stable_sort(all.begin(), all.end(), [](const RegionValue& a, const RegionValue& b) {
+        return a.place() < b.place();
+      });
+      const auto is_same = [](const RegionValue& a, const RegionValue& b) {
+        return a.place() == b.place();
+      };
+      all.erase(std::unique(all.begin(), all.end(), is_same), all.end());
+    }
     stored_.second_order = !midpoints_.empty();
     if (midpoints_.empty()) return;
     if (middles_.size() == soup.triangles.size()) {
@@ -241,6 +277,8 @@ class BlockReader {
     const std::vector<std::uint32_t> renumbered = drop_midpoints(midpoints_, soup);
     for (PlaneField::Array& array : of_points)
       drop_values(renumbered, soup.points.size(), array.values);
+    for (std::vector<RegionValue>& all : region_values)
+      for (RegionValue& one : all) one.vertex = renumbered[one.vertex];
     for (StoredEdge& edge : stored_.edges)
       edge = {renumbered[edge.a], renumbered[edge.b], edge.interface, edge.marker};
   }
@@ -257,8 +295,10 @@ class BlockReader {
       const NumberArray* from = data_->array_of_points(into.name);
       if (from == nullptr) return false;
       into.values.resize(stored_.soup.points.size(), kNoNumber);
-      for (std::size_t p = 0; p < data_->point_count(); ++p)
-        into.values[number(*global_, p)] = value(*from, p);
+      for (std::size_t p = 0; p < data_->point_count(); ++p) {
+        double& largest = into.values[number(*global_, p)];
+        largest = larger_value(largest, value(*from, p));
+      }
     }
     return true;
   }
@@ -313,7 +353,8 @@ class BlockReader {
 }  // namespace
 
 StoredMesh VtmMesh::finish(std::vector<std::string>& notes) && {
-  notes = take_arrays(std::move(of_triangles), std::move(of_points), words, mesh);
+  notes = take_arrays(std::move(of_triangles), std::move(of_points), words, mesh,
+                      std::move(region_values));
   sort_by_region(mesh.soup);
   return std::move(mesh);
 }
@@ -337,12 +378,15 @@ Result<VtmMesh> read_vtm(const std::string& path) {
   for (const Block& block : *files)
     if (block.group == "regions" && !blocks.add_regions(block)) return lacks(block);
   for (const Block& block : *files)
+    if (block.group == "regions") blocks.add_values_of_regions(block);
+  for (const Block& block : *files)
     if (block.group == "interfaces" && !blocks.add_lines(block)) return lacks(block);
   blocks.finish();
   if (reader.names()) take_names(*reader.names(), stored);
   if (stored.regions.empty()) return wrong_file(path, "no regions in it: not written by cover");
   out.of_triangles = std::move(blocks.of_triangles);
   out.of_points = std::move(blocks.of_points);
+  out.region_values = std::move(blocks.region_values);
   out.middles = std::move(blocks.middles);
   out.has_periodic_points = blocks.has_periodic_points;
   if (reader.names()) {

@@ -18,6 +18,7 @@ struct VtmMesh {
   StoredMesh mesh;
   std::vector<CellArray> of_triangles;
   std::vector<PlaneField::Array> of_points;
+  RegionValues region_values;  ///< of `of_points`
   ArrayWords words;
   bool has_periodic_points = false;
   std::vector<std::array<Point, 3>> middles;  ///< as MeshFile::middles
