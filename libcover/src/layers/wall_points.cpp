@@ -30,15 +30,25 @@ double share_at_height(const ArcOver& arc, Point foot, Vector normal, double hei
 }  // namespace
 
 std::vector<WallPoint> wall_points(const Pslg& pslg, const RegionBoundary& boundary,
-                                   std::span<const LayerRule> rules) {
+                                   std::span<const LayerRule> rules,
+                                   std::span<const NextToEnds> pieces) {
   std::vector<WallPoint> out;
   const auto start = [&](std::uint32_t s) { return boundary.points[boundary.sides[s][0]]; };
   const auto end = [&](std::uint32_t s) { return boundary.points[boundary.sides[s][1]]; };
+  /// The vertex next to the start of a side, or to its end.
+  const auto next_to = [&](std::uint32_t s, bool is_start) {
+    const SegmentId segment = boundary.segments[s];
+    if (pieces.empty() || segment == kHullSide) return is_start ? end(s) : start(s);
+    const bool forward =
+        pslg.segments[segment.index()].a == boundary.vertices[boundary.sides[s][0]];
+    const NextToEnds& next = pieces[segment.index()];
+    return is_start == forward ? next.after_a : next.before_b;
+  };
   /// Of a line whose first segment is `edge`, up the wall from `foot` to `top`.
-  const auto climb = [&](std::uint32_t edge, std::uint32_t wall, Point foot, Point top) {
+  const auto climb = [&](std::uint32_t edge, Vector normal, std::uint32_t wall, Point foot,
+                         Point top) {
     const std::size_t number = boundary.layers[edge] - 1;
     const LayerRule& rule = rules[number];
-    const Vector normal = unit_normal(start(edge), end(edge));
     const Vector up = top - foot;
     const double height = dot(up, normal);
     const Thickness thickness(rule, height);
@@ -57,10 +67,13 @@ std::vector<WallPoint> wall_points(const Pslg& pslg, const RegionBoundary& bound
   const std::vector<std::uint32_t> next = next_sides(boundary);
   for (std::uint32_t s = 0; s < next.size(); ++s) {
     const std::uint32_t n = next[s];
-    const Vector before = unit_normal(start(s), end(s)), after = unit_normal(start(n), end(n));
+    const Vector before = unit_normal(next_to(s, false), end(s));
+    const Vector after = unit_normal(start(n), next_to(n, true));
     if (std::abs(turning_angle(before, after) - 90) > kSkew) continue;
-    if (boundary.layers[s] != 0 && boundary.segments[n] != kHullSide) climb(s, n, start(n), end(n));
-    if (boundary.layers[n] != 0 && boundary.segments[s] != kHullSide) climb(n, s, end(s), start(s));
+    if (boundary.layers[s] != 0 && boundary.segments[n] != kHullSide)
+      climb(s, before, n, start(n), end(n));
+    if (boundary.layers[n] != 0 && boundary.segments[s] != kHullSide)
+      climb(n, after, s, end(s), start(s));
   }
   return out;
 }

@@ -21,13 +21,21 @@ struct WallPoint {
   std::size_t rule = 0;
 };
 
+/// The vertices next to the ends of a segment, towards its other end.
+struct NextToEnds {
+  Point after_a, before_b;
+};
+
 /// Line by line, upwards: the heights of rows over lines that end at about a right angle with the
 /// side, as far as the side reaches. Of a side that is a chord of an arc, the points of the arc
 /// have these heights. Lines are no walls of their own.
 ///
+/// `pieces`, by segment, tells what segments are going to be cut to: heights are those over the
+/// piece at the end of a line. None: they stay as they are.
 /// REQUIRES: boundary.layers has a rule for each side, `rules` are Options::layers; `boundary` is
 ///           one of `pslg`
 std::vector<WallPoint> wall_points(const Pslg& pslg, const RegionBoundary& boundary,
-                                   std::span<const LayerRule> rules);
+                                   std::span<const LayerRule> rules,
+                                   std::span<const NextToEnds> pieces = {});
 
 }  // namespace cover::layers

@@ -162,6 +162,23 @@ TEST(CutForLayers, TakesTheHeightsOnAChordWhoseArcHasNoRoom) {
   }
 }
 
+/// Sizes cut the arc, which turns the chords at its ends after the walls got their points.
+TEST(CutForLayers, HeightsAreThoseOverAnArcThatSizesCut) {
+  for (const std::size_t chords : {3, 9, 45}) {
+    SCOPED_TRACE(chords);
+    Options options;
+    options.layers = {{"rim", "", 0.01, 1.4, 4}};
+    options.split_interfaces = Angle::degrees(90);
+    options.sizes = {{"rim", 0.03, true}};
+    const Output output = testing::must_mesh(quarter(chords), options);
+    EXPECT_EQ(testing::violations(output), "");
+    const LayerReport& layers = output.report.regions[0].layers[0];
+    EXPECT_GT(layers.segments, 45U);
+    EXPECT_EQ(layers.complete, layers.segments);
+    EXPECT_EQ(layers.fewest, 4);
+  }
+}
+
 /// Names two lines that are images of each other, beside layers on `top` along a part of the width.
 Input periodic_cell(bool reaches_left, bool reaches_right) {
   Input input = testing::segments_between({{0, 0}, {4, 0}, {4, 2}, {3, 2}, {1, 2}, {0, 2}},
