@@ -38,13 +38,13 @@ const LayerRule* layer_rule_for(const Region& region, std::string_view line,
 
 /// Finds rows over every edge of the mesh that lies on the line called `line`: two triangles make a
 /// cell of a row where their quadrilateral has its upper edge within 20 degrees of the lower one
-/// and its sides within 20 degrees of upright, in line with those of the cell below, and is no
-/// thinner than that and no more than three times as thick. Cells are looked for upwards as long as
-/// there are some that grow alike, within a thousandth: as the rule in `rules` for this line says
-/// if first rows are as thick as that says, and up to its count; else as the second over the
-/// first, so that regular triangles above them are no layers. Triangles in which rows end are no
-/// cells; nor are, where some first rows of a region are as thick as the rule says, others on that
-/// line.
+/// and its sides within 20 degrees of upright (where a rule says how thick it is, 40, as in mitres
+/// of inner corners), in line with those of the cell below, and is no thinner than that and no more
+/// than three times as thick. Cells are looked for upwards as long as there are some that grow
+/// alike, within a thousandth: as the rule in `rules` for this line says if first rows are as thick
+/// as that says, and up to its count; else as the second over the first, so that regular triangles
+/// above them are no layers. Triangles in which rows end are no cells; nor are, where some first
+/// rows of a region are as thick as the rule says, others on that line.
 ///
 /// `region` is the name of a region or a material; empty: both sides of the line. Of `rules`, which
 /// may be for other lines, the last counts; where all that are for this line are for its other

@@ -27,6 +27,8 @@
 #include "geom/vector.hpp"
 #include "layers/filled_film.hpp"
 #include "layers/front/layer_front.hpp"
+#include "layers/front/offsets.hpp"
+#include "layers/front/side_links.hpp"
 #include "mend/couplings/delaunay_within_bound.hpp"
 #include "region/triangulation_of.hpp"
 #include "region/whole_mesh.hpp"
@@ -213,11 +215,45 @@ std::vector<LayerReport> reports(const RegionBoundary& boundary, const Options& 
   return out;
 }
 
+/// What there is to say where layers along a line are missing since they taper off: that walls at
+/// its ends may be cut, if there are some; or at which corner it ends.
+std::string about_ends(const RegionBoundary& boundary, const Options& options,
+                       const LayerRule& asked) {
+  const auto is_of_line = [&](std::uint32_t s) {
+    if (boundary.layers[s] == 0) return false;
+    const LayerRule& rule = options.layers[boundary.layers[s] - 1];
+    return rule.line == asked.line && rule.region == asked.region;
+  };
+  const auto normal_of = [&](std::uint32_t s) {
+    const auto& [a, b] = boundary.sides[s];
+    return layers::unit_normal(boundary.points[a], boundary.points[b]);
+  };
+  const std::vector<std::uint32_t> next = layers::next_sides(boundary);
+  double sharpest = 0;
+  Point corner;
+  for (std::uint32_t s = 0; s < next.size(); ++s) {
+    const std::uint32_t n = next[s];
+    if (!is_of_line(s) && !is_of_line(n)) continue;
+    const double turn = layers::turning_angle(normal_of(s), normal_of(n));
+    if (turn < layers::kInnerMitre) continue;
+    const std::uint32_t wall = is_of_line(s) ? n : s;
+    if (turn > 90 + layers::kSkew) {
+      if (turn > sharpest) corner = boundary.points[boundary.sides[n][0]];
+      sharpest = std::max(sharpest, turn);
+    } else if (!options.split_interfaces && !options.box_method &&
+               boundary.segments[wall] != kHullSide) {
+      return " (--split-interfaces or --box-method cuts segments across, so that layers go on to "
+             "them)";
+    }
+  }
+  if (sharpest == 0) return "";
+  return fmt::format(" towards {}, where the boundary turns inwards by {:.3g} degrees",
+                     describe(corner), sharpest);
+}
+
 /// What layers fell short of, but for their ends.
-std::vector<Note> notes_of(const RegionBoundary& boundary, const std::vector<LayerReport>& layers,
-                           bool may_cut) {
-  constexpr const char* kAdvice =
-      " (--split-interfaces or --box-method cuts segments across, so that layers go on to them)";
+std::vector<Note> notes_of(const RegionBoundary& boundary, const Options& options,
+                           const std::vector<LayerReport>& layers) {
   std::vector<Note> notes;
   for (const LayerReport& line : layers) {
     for (const LayerReport::Short& part : line.cut_short) {
@@ -228,7 +264,7 @@ std::vector<Note> notes_of(const RegionBoundary& boundary, const std::vector<Lay
            fmt::format("region {}: layers along '{}' are {} on {}, the first at {}: {}{}",
                        boundary.id.value(), line.asked.line, line.most == 0 ? "missing" : "fewer",
                        counted(part.segments, "segment"), describe(part.at), describe(part.why),
-                       part.why == LayerStop::end && !may_cut ? kAdvice : ""),
+                       part.why == LayerStop::end ? about_ends(boundary, options, line.asked) : ""),
            {part.at}});
     }
   }
@@ -300,8 +336,7 @@ class LayeredRegion {
   void tell(const LayerFront& front, const std::vector<SideLayers>& sides,
             RegionReport& report) const {
     report.layers = reports(boundary_, options_, front, sides);
-    const std::vector<Note> notes =
-        notes_of(boundary_, report.layers, options_.split_interfaces || options_.box_method);
+    const std::vector<Note> notes = notes_of(boundary_, options_, report.layers);
     report.notes.insert(report.notes.end(), notes.begin(), notes.end());
   }
 

@@ -26,7 +26,9 @@
 namespace cover {
 namespace {
 
-constexpr double kSkew = 20;        ///< degrees, from parallel, upright and straight on
+constexpr double kSkew = 20;  ///< degrees, from parallel, upright and straight on
+/// The same from upright where a rule tells how thick rows are, as in mitres of inner corners.
+constexpr double kMitre = 40;
 constexpr double kThickest = 3;     ///< times the row below
 constexpr double kThinnest = 0.99;  ///< times the row below
 constexpr double kAlike = 1e-3;     ///< of a thickness
@@ -69,7 +71,8 @@ class LayerFinder {
     int rows = 0;
     double total = 0, growth = 0;
     for (std::optional<std::size_t> at = edge; at;) {
-      const std::optional<Cell> next = cell_on(*at, rows == 0 ? nullptr : &cell);
+      const std::optional<Cell> next =
+          cell_on(*at, rows == 0 ? nullptr : &cell, rule != nullptr ? kMitre : kSkew);
       if (!next) break;
       if (rows == 0) {
         if (rule != nullptr && !is_alike(next->height, rule->first)) break;
@@ -140,8 +143,10 @@ class LayerFinder {
     found.first_most = std::max(found.first_most, cell.height);
   }
 
-  /// The cell on an edge, if there is one; `below` is the one under it.
-  [[nodiscard]] std::optional<Cell> cell_on(std::size_t edge, const Cell* below) const {
+  /// The cell on an edge, if there is one that leans by no more than `lean`; `below` is the one
+  /// under it.
+  [[nodiscard]] std::optional<Cell> cell_on(std::size_t edge, const Cell* below,
+                                            double lean) const {
     const SoupEdges::Edge& base = edges_.all()[edge];
     const std::uint32_t a = base.from, b = base.to, apex = apex_of(base);
     std::optional<Cell> best;
@@ -153,28 +158,34 @@ class LayerFinder {
       const std::uint32_t other = apex_of(edges_.all()[*twin]);
       Cell cell{a, b, to == a ? apex : other, to == a ? other : apex, {}, 0};
       cell.triangles = {base.triangle, edges_.all()[*twin].triangle};
-      if (is_cell(cell, below) && (!best || skew_of(cell) < skew_of(*best))) best = cell;
+      if (is_cell(cell, below, lean) && (!best || skew_of(cell) < skew_of(*best))) best = cell;
     }
     return best;
   }
 
-  /// By how many degrees a cell is off a rectangle.
-  [[nodiscard]] double skew_of(const Cell& cell) const {
+  /// By how many degrees the upper edge is not parallel, and the sides are not upright.
+  [[nodiscard]] double tilt_of(const Cell& cell) const {
+    return angle_between(at(cell.b) - at(cell.a), at(cell.c) - at(cell.d));
+  }
+  [[nodiscard]] double lean_of(const Cell& cell) const {
     const Vector base = at(cell.b) - at(cell.a);
     const Vector up{-base.y, base.x};
-    return std::max({angle_between(base, at(cell.c) - at(cell.d)),
-                     angle_between(up, at(cell.d) - at(cell.a)),
-                     angle_between(up, at(cell.c) - at(cell.b))});
+    return std::max(angle_between(up, at(cell.d) - at(cell.a)),
+                    angle_between(up, at(cell.c) - at(cell.b)));
+  }
+  /// By how many degrees a cell is off a rectangle.
+  [[nodiscard]] double skew_of(const Cell& cell) const {
+    return std::max(tilt_of(cell), lean_of(cell));
   }
 
-  [[nodiscard]] bool is_cell(Cell& cell, const Cell* below) const {
+  [[nodiscard]] bool is_cell(Cell& cell, const Cell* below, double lean) const {
     const Vector base = at(cell.b) - at(cell.a);
     const double length_of_base = length(base);
     const auto height = [&](std::uint32_t v) {
       return cross(base, at(v) - at(cell.a)) / length_of_base;
     };
     cell.height = (height(cell.c) + height(cell.d)) / 2;
-    if (!(skew_of(cell) <= kSkew)) return false;
+    if (!(tilt_of(cell) <= kSkew && lean_of(cell) <= lean)) return false;
     if (below == nullptr) return true;
     const auto goes_on = [&](std::uint32_t v, std::uint32_t foot, std::uint32_t root) {
       return angle_between(at(v) - at(foot), at(foot) - at(root)) <= kSkew;

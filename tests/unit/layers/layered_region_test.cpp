@@ -124,6 +124,24 @@ TEST(LayeredRegion, SaysWhereALineHasTooFewPoints) {
   }));
 }
 
+TEST(LayeredRegion, SaysWhereALineTurnsInwardsTooMuch) {
+  Input input = testing::segments_between({{0, 0}, {4, 0}, {2.5, 3}}, {{0, 1}, {1, 2}, {2, 0}});
+  for (InputSegment& s : input.segments) s.name = "rim";
+  for (const bool may_cut : {false, true}) {
+    Options options = with_layers({{"rim", "", 0.01, 1.5, 3}});
+    if (may_cut) options.split_interfaces = Angle::degrees(150);
+    const Output output = testing::must_mesh(input, options);
+    const RegionReport& report = output.report.regions[0];
+    ASSERT_EQ(report.layers.size(), 1U);
+    EXPECT_EQ(report.layers[0].most, 0);
+    EXPECT_TRUE(std::any_of(report.notes.begin(), report.notes.end(), [](const Note& note) {
+      return note.message.find(
+                 "they taper off towards (0, 0), where the boundary turns inwards by "
+                 "130 degrees") != std::string::npos;
+    }));
+  }
+}
+
 TEST(LayeredRegion, WithdrawsLayersWhereTheRestWouldBreakTheBound) {
   // Little room is left between layers and a side that no vertex may cut.
   const Output output =

@@ -127,7 +127,7 @@ bool LayerFront::is_joined(std::uint32_t n) const {
   if (node.rule == 0 || before.rule != node.rule || before.rows != node.rows || node.prev == n)
     return false;
   if (nodes_[node.next].vertex == before.vertex) return true;
-  return turning_angle(before.normal, node.normal) <= kMitre;
+  return turning_angle(before.normal, node.normal) < kInnerMitre;
 }
 
 /// The edges that get a row, in runs.

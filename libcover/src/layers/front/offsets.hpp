@@ -10,11 +10,17 @@
 
 namespace cover::layers {
 
-/// Bends up to this get a mitre: angles beside it are at most 100 degrees.
-inline constexpr double kMitre = 20;  ///< degrees
+/// Corners of a regular polygon turn alike up to rounding, which shall not decide: by 1e-9 of a
+/// bend, as long as edges are longer than some 1e-7 of the coordinates.
+inline constexpr double kTurnRounding = 1 + 1e-9;
+/// Bends to the right up to this get a mitre: angles beside it are at most 100 degrees.
+inline constexpr double kMitre = 20 * kTurnRounding;  ///< degrees
 /// How far from a right angle corners may be that are filled with squares, and walls up to which
 /// layers run: angles are at most 100 degrees then.
-inline constexpr double kSkew = 10;  ///< degrees
+inline constexpr double kSkew = 10 * kTurnRounding;  ///< degrees
+/// Bends to the left below this get a mitre: angles beside it are 90 degrees and half of the bend
+/// at most, below 130, which no bound forbids (promise 3). From there on, what follows is a wall.
+inline constexpr double kInnerMitre = 90 - kSkew;  ///< degrees
 
 /// How a vertex of the front becomes vertices of the next row.
 struct Offset {
@@ -39,7 +45,7 @@ double turning_angle(Vector from, Vector to);
 /// The offset of a vertex of the boundary between edges with these unit normals.
 ///
 /// `turn_back`: the boundary goes round the end of a slit there.
-/// REQUIRES: it turns left by at most kMitre
+/// REQUIRES: it turns left by less than kInnerMitre
 Offset offset_of(Point base, Vector from, Vector to, bool turn_back);
 
 /// The vertices of the next row over a vertex of the front, along the line; `below` is the

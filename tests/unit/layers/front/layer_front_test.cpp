@@ -126,6 +126,37 @@ TEST(LayerFront, StepsDownOneSegmentPerRowWhereRowsAreThick) {
   }
 }
 
+TEST(LayerFront, GoesRoundInMitresOfInnerCorners) {
+  for (const int n : {18, 12, 9, 6, 5}) {  // 20, 30, 40, 60 and 72 degrees
+    SCOPED_TRACE(n);
+    std::vector<Point> loop;
+    for (int k = 0; k < n; ++k) {
+      const double angle = 2 * std::numbers::pi * k / n;
+      loop.push_back({3 * std::cos(angle), 3 * std::sin(angle)});
+    }
+    Drawing drawing;
+    drawing.add(loop, std::vector<bool>(loop.size(), true));
+    const Laid laid(drawing.boundary, {"", "", 0.01, 1.5, 4});
+    const auto corners = static_cast<std::size_t>(n);
+    EXPECT_EQ(laid.front.triangles().size(), 2 * 4 * corners);
+    EXPECT_EQ(laid.front.added().size(), 4 * corners);
+    for (const SideLayers& side : laid.front.sides()) EXPECT_EQ(side.rows, 4);
+    EXPECT_TRUE(laid.is_simple());
+    EXPECT_LE(laid.quality.largest_nu.supplement().in_degrees(), 90 + 180.0 / n + 1e-6);
+  }
+}
+
+/// Their triangles have no upper edge left, where rows are too thick for short edges beside them.
+TEST(LayerFront, EndsInMitresThatEdgesAreTooShortFor) {
+  Drawing drawing;
+  drawing.add({{0, 0}, {2, 0}, {2.04, 0}, {2.06, 0.04}, {3, 2}, {0, 2}},
+              {true, true, true, true, false, false});
+  const Laid laid(drawing.boundary, {"", "", 0.02, 1.5, 6});
+  EXPECT_TRUE(laid.is_simple());
+  EXPECT_LT(laid.front.sides()[1].rows, 6);
+  EXPECT_LE(laid.quality.largest_nu.supplement().in_degrees(), 130);
+}
+
 TEST(LayerFront, RunsUpToWallsWithVerticesAtItsHeights) {
   Drawing drawing;
   drawing.add(

@@ -25,7 +25,7 @@ TEST(Offsets, GoStraightUpFromAStraightLine) {
 }
 
 TEST(Offsets, KeepTheDistanceToBothLinesInAMitre) {
-  for (const double bend : {-20.0, -7.0, 5.0, 20.0}) {
+  for (const double bend : {-20.0, -7.0, 5.0, 20.0, 45.0, 79.0}) {
     SCOPED_TRACE(bend);
     const Vector from = normal_at(30), to = normal_at(30 + bend);
     const Offset offset = offset_of({1, 2}, from, to, false);
@@ -76,6 +76,22 @@ TEST(Offsets, FanAroundOtherCornersInPiecesThatAreNoWiderThanAMitre) {
     }
     EXPECT_NEAR(sum, bend, 1e-9);
   }
+}
+
+/// Corners that are alike up to rounding get the same, wherever they lie.
+TEST(Offsets, AreAlikeInAllCornersOfARegularPolygon) {
+  for (const double bend : {20.0, 40.0, 60.0, 80.0, 160.0}) {
+    SCOPED_TRACE(bend);
+    const auto offset = [&](int k) {
+      const double from = bend * k;
+      return offset_of({0, 0}, normal_at(from), normal_at(from - bend), false);
+    };
+    for (int k = 1; k < 36; ++k) {
+      EXPECT_EQ(offset(k).kind, offset(0).kind) << k;
+      EXPECT_EQ(tops_of(offset(k), 0).size(), tops_of(offset(0), 0).size()) << k;
+    }
+  }
+  EXPECT_EQ(offset_of({0, 0}, normal_at(0), normal_at(-20), false).kind, Offset::Kind::plain);
 }
 
 TEST(Thickness, IsAGeometricSum) {
