@@ -14,7 +14,7 @@ namespace cover {
 enum class LayerStop {
   none,       ///< they are as many as asked for
   isotropic,  ///< no number was asked for, and the next one would be thicker than segments are long
-  corner,     ///< layers of another line lie there, which is as good
+  corner,     ///< layers of another line, or of another side, lie there, which is as good
   end,        ///< they taper off towards an end of the line, or towards where there are fewer
   room,       ///< another segment, a point or other layers are in the way
   turned,     ///< the line bends too much for them

@@ -1,4 +1,5 @@
-// Where walls at the ends of layered lines would have to be cut for layers to run up to them.
+// Where walls at the ends of layered lines would have to be cut for layers to run up to them, and
+// lines at their inner corners.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +18,7 @@ struct WallPoint {
   std::uint32_t side = 0;
   Point at;  ///< on the side; where this is a chord, at the same share as the point of the arc
   double height = 0;  ///< along the side, from the line's end
-  double layer = 0;   ///< thickness of the layer below
+  double layer = 0;   ///< thickness of the layer below; at a foot, the way from the one before
   std::size_t rule = 0;
 };
 
@@ -28,7 +29,9 @@ struct NextToEnds {
 
 /// Line by line, upwards: the heights of rows over lines that end at about a right angle with the
 /// side, as far as the side reaches. Of a side that is a chord of an arc, the points of the arc
-/// have these heights. Lines are no walls of their own.
+/// have these heights. Lines are no walls of their own. Where straight sides of lines with the same
+/// counted layers turn inwards by more than kMitre and less than kInnerMitre: the feet of the rows'
+/// vertices in that mitre, on both.
 ///
 /// `pieces`, by segment, tells what segments are going to be cut to: heights are those over the
 /// piece at the end of a line. None: they stay as they are.

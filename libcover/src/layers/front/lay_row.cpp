@@ -37,11 +37,14 @@ class LayerFront::RowMaker {
   RowMaker(LayerFront& front, const Chain& chain)
       : front_(front),
         chain_(chain),
+        closing_(front.closing(chain)),
         below_(front.thickness_of(front.nodes_[chain.nodes.front()]).total(front.row_)),
         total_(front.thickness_of(front.nodes_[chain.nodes.front()]).total(front.row_ + 1)) {}
 
-  /// Nothing where a triangle would turn over; vertices that were added stay with the front.
+  /// Nothing where a triangle would turn over, or nothing be left of the chain; vertices that were
+  /// added stay with the front.
   std::optional<Row> make() {
+    if (std::find(closing_.begin(), closing_.end(), false) == closing_.end()) return std::nullopt;
     begin();
     for (std::size_t i = 0; i < chain_.nodes.size(); ++i) add_cell(i);
     if (!chain_.closed && chain_.last_fans) end_with_fan();
@@ -66,8 +69,10 @@ class LayerFront::RowMaker {
     }
   }
 
-  /// The cell over edge `i` of the chain: a quadrilateral, or a triangle where the row tapers off.
+  /// The cell over edge `i` of the chain: a quadrilateral, or a triangle where the row tapers off
+  /// or closes it.
   void add_cell(std::size_t i) {
+    if (closing_[i]) return close_cell(i);
     const Node& below = node(chain_.nodes[i]);
     const std::uint32_t left = row_.vertices.back();
     const bool is_last = i + 1 == chain_.nodes.size() && !chain_.closed;
@@ -89,6 +94,18 @@ class LayerFront::RowMaker {
     } else {
       add_quad({a, b, right, left});
     }
+  }
+
+  /// A triangle over edge `i`, whose ends become one vertex.
+  void close_cell(std::size_t i) {
+    const Node& below = node(chain_.nodes[i]);
+    const Node& after = node(below.next);
+    Offset& top = row_.tops.back();
+    if (squared_length(after.offset.along) > squared_length(top.along)) {
+      top = after.offset;
+      front_.added_[row_.vertices.back() - front_.boundary_.points.size()] = top.at(total_);
+    }
+    add_triangle(below.vertex, after.vertex, row_.vertices.back());
   }
 
   /// What the cell over edge `i` ends with.
@@ -175,7 +192,8 @@ class LayerFront::RowMaker {
 
   LayerFront& front_;
   const Chain& chain_;
-  double below_, total_;  ///< thickness of the rows below, and with this one
+  std::vector<bool> closing_;  ///< by edge of the chain
+  double below_, total_;       ///< thickness of the rows below, and with this one
   Row row_;
   bool sound_ = true;  ///< no triangle has turned over
 };
@@ -197,9 +215,19 @@ void LayerFront::lay_chain(Chain chain) {
   const bool ends_well = chain.first_met || chain.last_met || chain.first_fans || chain.last_fans;
   if (chain.nodes.size() == 1 && !chain.closed && !ends_well) return stop(first, LayerStop::end);
   const std::size_t added = added_.size();
+  std::vector<bool> closes = closing(chain);
+  if (chain.closed && closes.back()) {  // vertices that become one are to follow each other
+    const auto begin = std::find(closes.rbegin(), closes.rend(), false).base() - closes.begin();
+    std::rotate(chain.nodes.begin(), chain.nodes.begin() + begin, chain.nodes.end());
+    std::rotate(closes.begin(), closes.begin() + begin, closes.end());
+  }
   if (const std::optional<Row> row = RowMaker(*this, chain).make()) {
     triangles_.insert(triangles_.end(), row->triangles.begin(), row->triangles.end());
-    return link_row(chain, *row);
+    link_row(chain, *row);
+    for (std::size_t i = 0; i < closes.size(); ++i) {
+      if (closes[i]) stop(chain.nodes[i], LayerStop::corner);
+    }
+    return;
   }
   added_.resize(added);
   below_.resize(added);

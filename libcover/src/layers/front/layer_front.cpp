@@ -5,7 +5,8 @@
 // the row has a vertex for each vertex between two edges, more around corners (offsets); at its
 // ends it tapers off, the last cell being a triangle, several rows in one vertex as long as angles
 // are small there, unless the wall there goes up at about a right angle and has a vertex at the
-// height of the row.
+// height of the row. In the mitre of an inner corner, edges of a line get shorter from row to row;
+// where a row leaves nothing of one, its cell is a triangle.
 // Tested by tests/unit/layers/front/layer_front_test.cpp.
 #include "layers/front/layer_front.hpp"
 
@@ -50,9 +51,7 @@ LayerFront::LayerFront(const RegionBoundary& boundary, std::span<const LayerRule
     thickness_.emplace_back(rules[r], room);
     same_rule_.push_back(r);
     for (std::uint32_t q = 0; q < r && same_rule_[r] == r; ++q) {
-      if (rules[q].first == rules[r].first && rules[q].growth == rules[r].growth &&
-          rules[q].count == rules[r].count)
-        same_rule_[r] = q;
+      if (lays_the_same(rules[q], rules[r])) same_rule_[r] = q;
     }
   }
   link_sides();
@@ -235,6 +234,38 @@ void LayerFront::stop(std::uint32_t n, LayerStop why) {
   if (!node.beside) sides_[node.origin].stop = why;
 }
 
+/// By edge of a chain: whether the next row leaves nothing of it, as between an inner corner and
+/// the foot of the row's vertex in the mitre there.
+std::vector<bool> LayerFront::closing(const Chain& chain) const {
+  std::vector<bool> out(chain.nodes.size(), false);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (!chain.closed && (i == 0 || i + 1 == out.size())) continue;
+    const Node& node = nodes_[chain.nodes[i]];
+    const Offset &from = node.offset, &to = nodes_[node.next].offset;
+    if (from.kind != Offset::Kind::plain || to.kind != Offset::Kind::plain) continue;
+    const double total = thickness_of(node).total(row_ + 1);
+    out[i] = length(to.at(total) - from.at(total)) <= kSameHeight * thickness_of(node).layer(row_);
+  }
+  return out;
+}
+
+/// The offset of the vertex where edge `i` of a chain starts; of vertices that become one, that in
+/// the mitre, which goes farthest.
+Offset LayerFront::offset_in(const Chain& chain, const std::vector<bool>& closing,
+                             std::size_t i) const {
+  const std::size_t count = chain.nodes.size();
+  Offset out = nodes_[chain.nodes[i]].offset;
+  const auto heed = [&](std::size_t k) {
+    const Offset& other = nodes_[chain.nodes[k]].offset;
+    if (squared_length(other.along) > squared_length(out.along)) out = other;
+  };
+  for (std::size_t k = (i + count - 1) % count; closing[k] && k != i; k = (k + count - 1) % count)
+    heed(k);
+  for (std::size_t k = i; closing[k] && (k + 1) % count != i; k = (k + 1) % count)
+    heed((k + 1) % count);
+  return out;
+}
+
 /// The room that a row on `chain` needs, by cell.
 std::vector<LayerFront::Cell> LayerFront::cells_of(const Chain& chain) {
   const Node& node = nodes_[chain.nodes.front()];
@@ -243,8 +274,9 @@ std::vector<LayerFront::Cell> LayerFront::cells_of(const Chain& chain) {
   const double high = below + (1 + kFree) * thickness.layer(row_);
   std::vector<Cell> cells;
   const std::size_t count = chain.nodes.size();
+  const std::vector<bool> closes = closing(chain);
   const auto tops_at = [&](std::size_t i) {
-    return tops_of(nodes_[chain.nodes[i % count]].offset, below);
+    return tops_of(offset_in(chain, closes, i % count), below);
   };
   if (chain.first_fans) {
     const std::uint32_t n = chain.nodes.front();
@@ -257,6 +289,11 @@ std::vector<LayerFront::Cell> LayerFront::cells_of(const Chain& chain) {
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t n = chain.nodes[i];
     const Point a = start_of(n), b = end_of(n);
+    if (closes[i]) {
+      const Point top = offset_in(chain, closes, i).at(thickness.total(row_ + 1));
+      cells.push_back({{a, b, top}, {n, n}});
+      continue;
+    }
     Cell cell{{a, b}, {n, n}};
     if (i + 1 < count || chain.closed) {
       const std::vector<Offset> tops = tops_at(i + 1);

@@ -126,6 +126,9 @@ class LayerFront {
   void find_meetings(std::vector<Chain>& chains);
   void stop(std::uint32_t n, LayerStop why);
 
+  [[nodiscard]] std::vector<bool> closing(const Chain& chain) const;
+  [[nodiscard]] Offset offset_in(const Chain& chain, const std::vector<bool>& closing,
+                                 std::size_t i) const;
   [[nodiscard]] std::vector<Cell> cells_of(const Chain& chain);
   bool make_room(const std::vector<Chain>& chains);
   /// Lays the next row on a chain.

@@ -7,6 +7,11 @@
 
 namespace cover::layers {
 
+/// Whether two rules are for the same layers, wherever these lie.
+inline bool lays_the_same(const LayerRule& a, const LayerRule& b) {
+  return a.first == b.first && a.growth == b.growth && a.count == b.count;
+}
+
 /// The thickness of row after row: the first, then each times the growth.
 class Thickness {
  public:

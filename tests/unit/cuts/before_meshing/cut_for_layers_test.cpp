@@ -162,6 +162,31 @@ TEST(CutForLayers, TakesTheHeightsOnAChordWhoseArcHasNoRoom) {
   }
 }
 
+TEST(CutForLayers, CutsLinesAtInnerCornersAtTheFeetOfRows) {
+  std::vector<Point> points;
+  std::vector<IndexPair> sides;
+  for (std::uint32_t k = 0; k < 6; ++k) {
+    points.push_back({std::cos(std::numbers::pi / 3 * k), std::sin(std::numbers::pi / 3 * k)});
+    sides.push_back({k, (k + 1) % 6});
+  }
+  Input input = testing::segments_between(points, sides);
+  for (InputSegment& s : input.segments) s.name = "wall";
+  for (const bool box_method : {false, true}) {
+    SCOPED_TRACE(box_method);
+    Options options = layered(4);
+    options.layers[0].growth = 1.4;
+    options.box_method = box_method;
+    options.sizes = {{"wall", 0.1, true}};
+    const Output output = testing::must_mesh(input, options);
+    EXPECT_EQ(testing::violations(output), "");
+    const RegionReport& report = output.report.regions[0];
+    EXPECT_EQ(report.layers[0].complete, report.layers[0].segments);
+    EXPECT_EQ(report.layers[0].fewest, 4);
+    EXPECT_LE(report.quality.largest_nu.supplement().in_degrees(), 100);
+    EXPECT_EQ(report.box.negative_couplings, 0U);
+  }
+}
+
 /// Sizes cut the arc, which turns the chords at its ends after the walls got their points.
 TEST(CutForLayers, HeightsAreThoseOverAnArcThatSizesCut) {
   for (const std::size_t chords : {3, 9, 45}) {

@@ -9,6 +9,7 @@
 
 #include "cdt/region_cdt.hpp"
 #include "geom/predicates.hpp"
+#include "geom/vector.hpp"
 #include "layers/front/side_links.hpp"
 #include "target/report/measure_angles.hpp"
 
@@ -143,6 +144,38 @@ TEST(LayerFront, GoesRoundInMitresOfInnerCorners) {
     for (const SideLayers& side : laid.front.sides()) EXPECT_EQ(side.rows, 4);
     EXPECT_TRUE(laid.is_simple());
     EXPECT_LE(laid.quality.largest_nu.supplement().in_degrees(), 90 + 180.0 / n + 1e-6);
+  }
+}
+
+/// Right triangles fill the mitres where sides have the feet of the vertices there.
+TEST(LayerFront, ClosesCellsAtTheFeetOfMitres) {
+  for (const int n : {12, 6, 5}) {
+    SCOPED_TRACE(n);
+    const double half = std::numbers::pi / n;
+    std::vector<Point> loop;
+    for (int k = 0; k < n; ++k) {
+      const auto corner = [&](int i) {
+        return Point{3 * std::cos(2 * half * i), 3 * std::sin(2 * half * i)};
+      };
+      const Point a = corner(k), b = corner(k + 1);
+      const Vector unit = (1 / length(b - a)) * (b - a);
+      loop.push_back(a);
+      for (const double away : {0.01, 0.025, 0.0475})
+        loop.push_back(a + std::tan(half) * away * unit);
+      for (const double away : {0.0475, 0.025, 0.01})
+        loop.push_back(b + (-std::tan(half) * away) * unit);
+    }
+    Drawing drawing;
+    drawing.add(loop, std::vector<bool>(loop.size(), true));
+    const Laid laid(drawing.boundary, {"", "", 0.01, 1.5, 3});
+    EXPECT_TRUE(laid.is_simple());
+    EXPECT_LE(laid.quality.largest_nu.supplement().in_degrees(), 90 + 1e-6);
+    for (const SideLayers& side : laid.front.sides())
+      EXPECT_TRUE(side.stop == LayerStop::corner ||
+                  (side.stop == LayerStop::none && side.rows == 3));
+    // One vertex per row and corner in the mitre, and those over feet of further rows.
+    EXPECT_EQ(laid.front.added().size(), static_cast<std::size_t>(n) * (5 + 3 + 1));
+    EXPECT_EQ(laid.front.front().size(), static_cast<std::size_t>(n));
   }
 }
 
