@@ -18,6 +18,7 @@
 
 #include "geom/topology/mesh_borders.hpp"
 #include "io/input/formats.hpp"
+#include "io/input/meshes/left_out.hpp"
 #include "io/read_mesh/formats/msh_file.hpp"
 
 namespace cover {
@@ -38,19 +39,13 @@ class CellsOfMsh {
     // Where it is a number, the name of the material would be another than that of the group.
     for (RegionSeed& seed : input.seeds)
       if (named_.contains(seed.material)) seed.region = seed.material;
-    if (second_order_ > 0)
-      input.warnings.push_back(fmt::format(
-          "{} elements of higher order: their corners are taken, their other nodes left out",
-          second_order_));
+    if (second_order_ > 0) input.warnings.push_back(corners_taken(second_order_));
     if (file_.in_several_groups > 0)
       input.warnings.push_back(
           fmt::format("curves and surfaces are in {}: the first of each counts",
                       counted(file_.in_several_groups, "further physical group")));
     // Its curves need not be in groups, and a group may have more curves than the pair.
-    if (file_.has_periodic_points)
-      input.warnings.emplace_back(
-          "which lines are images of each other ($Periodic) is not taken over: --periodic A=B says "
-          "it, with names of lines");
+    if (file_.has_periodic_points) input.warnings.push_back(pairs_left_out("$Periodic"));
     return input;
   }
 

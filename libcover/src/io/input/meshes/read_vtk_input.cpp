@@ -19,6 +19,7 @@
 #include "io/images/raster.hpp"
 #include "io/images/read_image.hpp"
 #include "io/input/formats.hpp"
+#include "io/input/meshes/left_out.hpp"
 #include "io/text/text.hpp"
 #include "io/vtk_files/read_data_set.hpp"
 
@@ -128,6 +129,9 @@ class CellsOfDataSet {
     return std::move(mesh_);
   }
 
+  /// How many cells convert() took the corners of alone.
+  [[nodiscard]] std::size_t second_order() const { return second_order_; }
+
  private:
   static std::optional<Raster> raster_of(const DataSet::Pixels& pixels,
                                          const std::vector<int>& labels) {
@@ -179,14 +183,19 @@ class CellsOfDataSet {
         add_lines(c, nodes);
         return std::nullopt;
       case kQuadraticEdge:
+        ++second_order_;
         add_lines(c, nodes.first(2));
         return std::nullopt;
-      case kTriangle:
       case kQuadraticTriangle:
+        ++second_order_;
         return add_cell(c, nodes.first(3));
-      case kQuad:
+      case kTriangle:
+        return add_cell(c, nodes.first(3));
       case kQuadraticQuad:
       case kBiquadraticQuad:
+        ++second_order_;
+        return add_cell(c, nodes.first(4));
+      case kQuad:
         return add_cell(c, nodes.first(4));
       case kPixel:
         return add_cell(c, std::array{nodes[0], nodes[1], nodes[3], nodes[2]});
@@ -246,6 +255,7 @@ class CellsOfDataSet {
   const std::vector<int>* line_ = nullptr;
   std::map<int, std::uint32_t> index_;
   std::vector<std::uint32_t> corners_;
+  std::size_t second_order_ = 0;
   CellMesh mesh_;
 };
 
@@ -267,7 +277,12 @@ Result<Input> parse_vtk_input(std::string_view text, std::string_view extension,
   }
   Result<CellMesh> mesh = converter.convert();
   if (!mesh) return std::move(mesh).error();
-  return borders_of(*mesh);
+  Input input = borders_of(*mesh);
+  if (converter.second_order() > 0)
+    input.warnings.push_back(corners_taken(converter.second_order()));
+  if (data->array_of_points("PeriodicNode") != nullptr)
+    input.warnings.push_back(pairs_left_out("PeriodicNode"));
+  return input;
 }
 
 Result<Input> read_vtk_input(const std::string& path) {

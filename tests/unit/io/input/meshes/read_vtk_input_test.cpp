@@ -105,6 +105,45 @@ std::string replaced(std::string_view text, std::string_view from, std::string_v
   return result.replace(at, from.size(), to);
 }
 
+constexpr std::string_view kCurved = R"(# vtk DataFile Version 3.0
+a triangle and a line of second order
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS 6 double
+0 0 0  1 0 0  0 1 0  0.5 -0.1 0  0.5 0.5 0  0 0.5 0
+CELLS 2 11
+6 0 1 2 3 4 5
+3 0 1 3
+CELL_TYPES 2
+22 21
+CELL_DATA 2
+SCALARS MaterialID int 1
+LOOKUP_TABLE default
+3 -1
+)";
+
+TEST(ReadVtkInputCells, OfSecondOrderAreToldOf) {
+  const TemporaryFolder folder;
+  const Result<Input> input = read_vtk_input(folder.write("a.vtk", kCurved));
+  ASSERT_TRUE(input.has_value()) << input.error().message;
+  EXPECT_EQ(input->warnings,
+            (std::vector<std::string>{"2 elements of higher order: their corners are taken, their "
+                                      "other nodes left out"}));
+}
+
+TEST(ReadVtkInputPoints, ThatAreImagesAreToldOf) {
+  const TemporaryFolder folder;
+  for (const auto& [name, text] : {std::pair{"a.vtk", kLegacy}, std::pair{"b.vtk", kCurved}})
+    EXPECT_EQ(read_vtk_input(folder.write(name, text))->warnings.size(), text == kCurved) << name;
+  const Result<Input> input = read_vtk_input(folder.write(
+      "c.vtk", std::string(kLegacy) + "POINT_DATA 6\nSCALARS PeriodicNode int 1\nLOOKUP_TABLE "
+                                      "default\n0 1 0 3 4 3\n"));
+  ASSERT_TRUE(input.has_value()) << input.error().message;
+  EXPECT_EQ(input->warnings,
+            (std::vector<std::string>{"which lines are images of each other (PeriodicNode) is not "
+                                      "taken over: --periodic A=B says it, with names of lines"}));
+}
+
 TEST(ReadVtkInputArrays, AreKnownInWhateverCase) {
   const TemporaryFolder folder;
   for (const char* name : {"MATERIAL", "MaterialIds", "Attribute"}) {
