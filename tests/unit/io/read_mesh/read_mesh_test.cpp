@@ -161,7 +161,8 @@ TEST(ReadMesh, CutsGoOnIntoTheNextFile) {
   const testing::TemporaryFolder folder;
   ASSERT_TRUE(write_mesh(written, folder.path() / "a.vtm"));
   ASSERT_TRUE(write_mesh(written, folder.path() / "b.vtu"));
-  for (const char* name : {"a.vtm", "b.vtu"}) {
+  ASSERT_TRUE(write_mesh(written, folder.path() / "c.pvtu", WriteOptions{.parts = 3}));
+  for (const char* name : {"a.vtm", "b.vtu", "c.pvtu"}) {
     SCOPED_TRACE(name);
     const Result<Output> read = read_output(folder.path() / name);
     ASSERT_TRUE(read) << read.error().message;

@@ -320,6 +320,7 @@ void with_part_grid(const MeshView& view, const Partition& partition, std::uint3
   all.insert(all.end(), its.ghosts.begin(), its.ghosts.end());
   const Part cells(view.triangles, all);
   VtuGrid grid = cells.grid(view, type_of_triangles(view));
+  grid.cut_vertices = view.cut_vertices;  // of the whole mesh, as in a .vtu
   add_triangle_arrays(
       view, all.size(), [&all](std::size_t k) { return all[k]; }, grid);
   const auto add = [part](std::vector<VtuArray>& arrays, std::size_t size, auto owner) {
