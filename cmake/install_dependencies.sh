@@ -4,7 +4,7 @@ set -euo pipefail
 packages=(git g++ cmake ninja-build ccache
           libcgal-dev libopenmesh-dev libvtk9-dev libboost-dev
           libdxflib-dev libgdal-dev
-          libcli11-dev libfmt-dev libspdlog-dev nlohmann-json3-dev
+          libcli11-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libtomlplusplus-dev
           libexpat1-dev zlib1g-dev liblzma-dev liblz4-dev libhdf5-dev
           libgtest-dev libbenchmark-dev clang-format clang-tidy dpkg-dev file
           libopenmpi-dev openmpi-bin

@@ -130,9 +130,6 @@ std::string explain(const CLI::App& command, const CLI::ParseError& error) {
     if (const std::size_t end = text.find(": This option is not allowed"); end != std::string::npos)
       return fmt::format("'{}' does not stand in a --config file", text.substr(0, end));
     const std::string key = text.substr(text.rfind(' ') + 1);
-    if (const std::size_t dot = key.find('.'); dot != std::string::npos)
-      return fmt::format("the --config file has a section [{}]; its keys stand without sections",
-                         key.substr(0, dot));
     return fmt::format("unknown key '{}' in the --config file{}", key,
                        meant_option(command, "--" + key));
   }
@@ -144,15 +141,12 @@ std::string explain(const CLI::App& command, const CLI::ParseError& error) {
   return error.what();
 }
 
-/// What CLI11 prints of options, but values with quotes or line breaks as JobFile reads them back.
+/// What CLI11 prints of options, but values as JobFile reads them back.
 std::string with_quotes(const CLI::App& command, std::string text) {
+  text.insert(0, 1, '\n');  // so that the first name has one in front, too
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() == 0 || !option->get_configurable()) continue;
     const std::vector<std::string> values = option->reduced_results();
-    const bool is_odd = std::any_of(values.begin(), values.end(), [](const std::string& value) {
-      return value.find_first_of("\"'`\n\r") != std::string::npos;
-    });
-    if (!is_odd) continue;
     const std::string name = '\n' + option->get_single_name() + '=';
     const std::string printed = name + CLI::detail::ini_join(values) + '\n';
     const std::size_t at = text.find(printed);
@@ -160,12 +154,12 @@ std::string with_quotes(const CLI::App& command, std::string text) {
     std::string list;
     for (const std::string& value : values) {
       if (!list.empty()) list += ", ";
-      list += quoted_value(value);
+      list += job_value(value);
     }
     if (values.size() > 1) list = fmt::format("[{}]", list);
     text.replace(at, printed.size(), fmt::format("{}{}\n", name, list));
   }
-  return text;
+  return text.erase(0, 1);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Job files (--config), read as CLI11 reads them, but for what it would misunderstand.
+// Job files (--config): TOML.
 #pragma once
 
 #include <cstddef>
@@ -20,21 +20,14 @@ class JobFileError : public CLI::ConfigError {
   std::size_t line_;
 };
 
-/// A key stands once; strings end on their line, arrays before the next key; strings are what
-/// stands between their quotes, whatever that is, with escapes in """..."""; `#` in them begins no
-/// comment; `true` for an option that also stands alone means that; a byte order mark is skipped.
+/// Values and lists of values, none deeper; `true` for an option that also stands alone means that.
 class JobFile : public CLI::ConfigTOML {
  public:
-  explicit JobFile(const CLI::App& command) : command_(command) {}
-
   /// Throws: JobFileError; CLI::ValidationError, of options that also stand alone
   [[nodiscard]] std::vector<CLI::ConfigItem> from_config(std::istream& input) const override;
-
- private:
-  const CLI::App& command_;
 };
 
-/// A value in the quotes that JobFile reads it back from.
-std::string quoted_value(const std::string& value);
+/// A value as JobFile reads it back.
+std::string job_value(const std::string& value);
 
 }  // namespace cover::app

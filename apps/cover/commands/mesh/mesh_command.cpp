@@ -123,7 +123,7 @@ struct MeshCommand {
         ->type_name("FILE")
         ->group(group);
     app.allow_config_extras(CLI::config_extras_mode::error);
-    app.config_formatter(std::make_shared<JobFile>(app));
+    app.config_formatter(std::make_shared<JobFile>());
     app.add_flag("--print-config", print_config, "Print these options as a --config file")
         ->group(group)
         ->configurable(false);
