@@ -152,7 +152,7 @@ class Configuration(Case):
             self.write('job.toml', text + '\n')
             _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--config', 'job.toml', code=2)
             self.assertIn(said, err)
-        for text in 'hull = true', 'hull = off', 'hull = 1':
+        for text in 'hull = true', 'hull = "off"', 'hull = 1':
             self.write('job.toml', text + '\n')
             self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--config', 'job.toml')
 
