@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -12,6 +13,7 @@
 
 #include <cover/text.hpp>
 
+#include "base/numbers.hpp"
 #include "clean/arcs/cut_chords.hpp"
 #include "geom/box.hpp"
 #include "geom/curves/arc.hpp"
@@ -23,8 +25,9 @@ namespace cover {
 namespace {
 
 /// How often a chord is halved at most. Arcs so near that this does not part them are taken for a
-/// mistake, such as one arc drawn twice with two radii, not worth thousands of chords.
-constexpr int kMostHalvings = 4;
+/// mistake, such as one arc drawn twice with two radii, not worth thousands of chords: they are
+/// halved kForNothing times.
+constexpr int kMostHalvings = 8, kForNothing = 4;
 /// Halving one chord lets it cross that of the next arc, and so on: so many arcs in a row.
 constexpr int kMostInARow = 64;
 /// Of the way along a chord: how well it is known where circles touch, the root of rounding.
@@ -68,14 +71,16 @@ class ChordParter {
 
   void run() {
     for (int round = 0; round < kMostInARow; ++round) {
-      const std::vector<bool> is_crossing = find_crossing();
-      if (round == 0) note_places(is_crossing);
-      if (!halve(is_crossing)) break;
+      const std::vector<int> crossing = find_crossing();
+      if (round == 0) note_places(crossing);
+      if (!halve(crossing)) break;
     }
     if (where_.empty()) return;
     for (Piece& piece : pieces_) piece.is_new = true;
-    const std::vector<bool> is_crossing = find_crossing();
-    left_ = static_cast<std::size_t>(std::count(is_crossing.begin(), is_crossing.end(), true));
+    gap_ = kInfinity;
+    const std::vector<int> crossing = find_crossing();
+    left_ =
+        crossing.size() - static_cast<std::size_t>(std::count(crossing.begin(), crossing.end(), 0));
   }
 
   [[nodiscard]] ChordCuts cuts() const {
@@ -108,11 +113,16 @@ class ChordParter {
              halved == 1 ? "1 was" : fmt::format("{} were", halved),
              halved == 1 ? "its arc" : "their arcs",
              left_ == 0 ? std::string(", and no longer cross")
-                        : fmt::format(", of whose pieces {} still cross", left_)),
+                        : fmt::format(", of whose pieces {} still cross", left_) + what_parts()),
          where_});
   }
 
  private:
+  /// Which chords would not cross, where circles are known to lie in each other.
+  [[nodiscard]] std::string what_parts() const {
+    return gap_ == kInfinity ? "" : fmt::format(" (arcs are {:.2g} apart)", gap_);
+  }
+
   /// A chord, or a piece of one after halving.
   struct Piece {
     InputChord chord;
@@ -132,14 +142,14 @@ class ChordParter {
         2 * kTouching * length(chord.b - chord.a) + arc_over(chord).rounding_at(chord.a));
   }
 
-  /// By piece: whether it is to be halved, for itself or for a new one.
-  std::vector<bool> find_crossing() {
+  /// By piece: how many halvings it may come from, where it crosses another and one is new; else 0.
+  std::vector<int> find_crossing() {
     std::vector<Box> boxes;
     boxes.reserve(pieces_.size());
     for (const Piece& piece : pieces_)
       boxes.push_back(box_of(std::array{piece.chord.a, piece.chord.b}));
     const BoxTree tree(boxes);
-    std::vector<bool> found(pieces_.size(), false);
+    std::vector<int> found(pieces_.size(), 0);
     for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
       if (!pieces_[k].is_new) continue;
       tree.visit(boxes[k], [&](std::uint32_t j) {
@@ -151,9 +161,9 @@ class ChordParter {
     return found;
   }
 
-  void note_places(const std::vector<bool>& is_crossing) {
+  void note_places(const std::vector<int>& crossing) {
     for (std::size_t k = 0; k < pieces_.size(); ++k) {
-      if (is_crossing[k]) where_.push_back(midpoint(pieces_[k].chord.a, pieces_[k].chord.b));
+      if (crossing[k] > 0) where_.push_back(midpoint(pieces_[k].chord.a, pieces_[k].chord.b));
     }
   }
 
@@ -177,7 +187,27 @@ class ChordParter {
     return known->second;
   }
 
-  void look(std::uint32_t k, std::uint32_t j, std::vector<bool>& found) {
+  /// The halvings after which a piece of the larger of two circles, one inside the other, is no
+  /// farther off its arc than the circles from each other.
+  int halvings_for(const Piece& piece, const ArcCircle& own, const ArcCircle& other) {
+    const double gap = own.radius - other.radius - length(own.centre - other.centre);
+    if (!(gap > 0) || !(gap < own.radius)) return kForNothing;
+    gap_ = std::min(gap_, gap);
+    const double half = length(piece.chord.b - piece.chord.a) / (2 * own.radius);
+    // The height over half a chord h of a radius of 1 is about h^2 / 2; one more for rounding.
+    const double needed =
+        piece.halvings + 1 + std::ceil(std::log2(half / std::sqrt(2 * gap / own.radius)));
+    return needed <= kMostHalvings ? std::max(static_cast<int>(needed), kForNothing) : kForNothing;
+  }
+
+  /// Says that a piece crosses one of another circle.
+  void note_crossing(std::uint32_t k, const InputChord& other, std::vector<int>& found) {
+    const Piece& piece = pieces_[k];
+    found[k] = std::max(found[k], halvings_for(piece, input_.circles[piece.chord.circle - 1],
+                                               input_.circles[other.circle - 1]));
+  }
+
+  void look(std::uint32_t k, std::uint32_t j, std::vector<int>& found) {
     const InputChord &c = pieces_[k].chord, &d = pieces_[j].chord;
     if (c.circle == d.circle) return;
     if (const auto end = common_end(c, d)) return look_at_touching(k, j, *end, found);
@@ -186,13 +216,13 @@ class ChordParter {
     const ArcOver over_c = arc_over(c), over_d = arc_over(d);
     const bool by_c = over_c.cuts_off(d.a) || over_c.cuts_off(d.b);
     const bool by_d = over_d.cuts_off(c.a) || over_d.cuts_off(c.b);
-    if (by_c || !by_d) found[k] = true;
-    if (by_d || !by_c) found[j] = true;
+    if (by_c || !by_d) note_crossing(k, d, found);
+    if (by_d || !by_c) note_crossing(j, c, found);
   }
 
   /// Chords from the point where one circle touches another from inside would lie on each other, or
   /// change sides, if that of the larger one were no finer.
-  void look_at_touching(std::uint32_t k, std::uint32_t j, Point end, std::vector<bool>& found) {
+  void look_at_touching(std::uint32_t k, std::uint32_t j, Point end, std::vector<int>& found) {
     const InputChord &c = pieces_[k].chord, &d = pieces_[j].chord;
     if (!touching_.contains(std::minmax(c.circle, d.circle))) return;
     const ArcCircle &one = input_.circles[c.circle - 1], &other = input_.circles[d.circle - 1];
@@ -201,17 +231,17 @@ class ChordParter {
     if (dot(along_c, along_d) <= 0) return;
     const double angle_c = length(along_c) / one.radius, angle_d = length(along_d) / other.radius;
     if (one.radius > other.radius) {
-      if (angle_c > kPartOfAngle * angle_d) found[k] = true;
+      if (angle_c > kPartOfAngle * angle_d) found[k] = std::max(found[k], kForNothing);
     } else if (angle_d > kPartOfAngle * angle_c) {
-      found[j] = true;
+      found[j] = std::max(found[j], kForNothing);
     }
   }
 
   /// False if none may be halved.
-  bool halve(const std::vector<bool>& is_crossing) {
+  bool halve(const std::vector<int>& crossing) {
     const std::size_t before = pieces_.size();
-    for (std::size_t k = 0; k < is_crossing.size(); ++k) {
-      if (!is_crossing[k] || pieces_[k].halvings == kMostHalvings) continue;
+    for (std::size_t k = 0; k < crossing.size(); ++k) {
+      if (pieces_[k].halvings >= crossing[k]) continue;
       const Piece whole = pieces_[k];
       const Point middle = arc_over(whole.chord).middle();
       const auto piece = [&](Point p) {
@@ -234,6 +264,7 @@ class ChordParter {
   std::map<std::pair<std::uint32_t, std::uint32_t>, bool> do_meet_;  ///< by two numbers of circles
   std::vector<Point> where_;  ///< the middles of the chords that crossed at first
   std::size_t left_ = 0;      ///< pieces that still cross
+  double gap_ = kInfinity;    ///< the least between circles of which one is inside the other
 };
 
 }  // namespace

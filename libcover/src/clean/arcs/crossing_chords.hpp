@@ -16,8 +16,8 @@ namespace cover {
 /// would be cut to pieces otherwise. Of `touching` circles none may cross either, and where one
 /// touches another from inside, the chords of the larger one leave the place beyond those of the
 /// smaller one. Of two chords that cross, those are halved that cut off a part of the other, and
-/// none more than four times; a warning says so, and whether chords are left that cross. Nothing if
-/// none does.
+/// none more than eight times, where that parts them, or four times; a warning says so, and whether
+/// chords are left that cross. Nothing if none does.
 ///
 /// REQUIRES: find_bad_arcs finds nothing
 /// Cost:     O(n log n), while chords meet few others; that of a look if there are no arcs

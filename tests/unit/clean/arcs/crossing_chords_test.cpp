@@ -43,6 +43,22 @@ TEST(CrossingChords, CirclesSideBySideHaveOneRegionBetweenThem) {
   EXPECT_EQ(note.where.size(), 72U);
 }
 
+TEST(CrossingChords, AThinCoatIsOneRegion) {
+  for (const double thickness : {3e-5, 1e-5, 1e-6}) {
+    SCOPED_TRACE(thickness);
+    Input input;
+    testing::add_circle(input, {0, 0}, 1, 24, "outer");
+    testing::add_circle(input, {0, 0}, 1 - thickness, 23, "inner");
+    const Result<Prepared> prepared = prepare(input);
+    ASSERT_TRUE(prepared) << prepared.error().message;
+    EXPECT_EQ(prepared->table.regions.size(), 2U);
+    EXPECT_LT(prepared->pslg.segments.size(), 2000U);
+    ASSERT_FALSE(prepared->report.notes.empty());
+    EXPECT_NE(prepared->report.notes[0].message.find(", and no longer cross"), std::string::npos)
+        << prepared->report.notes[0].message;
+  }
+}
+
 // A chord that is halved crosses that of the next circle.
 TEST(CrossingChords, ManyThinRingsAreARegionEach) {
   Input input;
@@ -66,11 +82,13 @@ TEST(CrossingChords, ManySmallCirclesThatTouchOneAreLeftAlone) {
 }
 
 TEST(CrossingChords, CirclesThatAreNearlyOneAreToldAsCrossing) {
-  const Input input = two_circles(1 - 1e-7, kHalfAChord / 3);
+  const Input input = two_circles(1 - 1e-10, kHalfAChord / 3);
   std::vector<Note> notes;
   ASSERT_TRUE(part_crossing_chords(input, {}, notes));
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_NE(notes[0].message.find(", of whose pieces "), std::string::npos) << notes[0].message;
+  EXPECT_NE(notes[0].message.find(" still cross (arcs are 1e-10 apart)"), std::string::npos)
+      << notes[0].message;
 }
 
 TEST(CrossingChords, ArcsThatMeetOrLieApartAreLeftAlone) {
