@@ -122,7 +122,7 @@ std::string unchecked_lines_text(const NamedLines& lines) {
   return text;
 }
 
-std::string cuts_text(const OwnCuts& cuts) {
+std::string cuts_text(const OwnCuts& cuts, bool are_sides_images) {
   if (!cuts.are_meant) {
     const char* const all_else = cuts.are_pieces_sound ? "all else" : "all else but materials";
     const std::string what =
@@ -131,9 +131,11 @@ std::string cuts_text(const OwnCuts& cuts) {
                           grouped(cuts.points))
             : "Segments have vertices inside";
     return fmt::format(
-        "{}; {} is sound. If sides were made images of each other, repeat --periodic; if segments "
-        "were to be cut, as by --split-interfaces{}, add --allow-split\n",
-        what, all_else, cuts.are_on_arcs ? "" : ", --box-method or --method nonobtuse");
+        "{}; {} is sound. {}f segments were to be cut, as by --split-interfaces{}, add "
+        "--allow-split\n",
+        what, all_else,
+        are_sides_images ? "I" : "If sides were made images of each other, repeat --periodic; i",
+        cuts.are_on_arcs ? "" : ", --box-method or --method nonobtuse");
   }
   return cuts.are_on_arcs
              ? fmt::format("Segments are cut at {} points, those of arcs on their circles{}{}\n",

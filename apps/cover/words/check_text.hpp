@@ -42,8 +42,9 @@ std::string wrong_lines_text(const NamedLines& lines);
 /// What was not checked of named lines.
 std::string unchecked_lines_text(const NamedLines& lines);
 
-/// How segments are cut; where nobody meant that: how to allow it.
-std::string cuts_text(const OwnCuts& cuts);
+/// How segments are cut; where nobody meant that: how to allow it. What is said of
+/// sides that are images of each other helps only where none are told.
+std::string cuts_text(const OwnCuts& cuts, bool are_sides_images);
 /// Points of the input that the mesh's format has rounded.
 std::string rounded_text(const RoundedPoints& rounded);
 /// So many points of the input are no vertices: which options the run that made the mesh had

@@ -41,14 +41,16 @@ TEST(CheckText, CutsTellWhoMadeThemOrHowToAllowThem) {
   const auto begins_with = [](const std::string& text, const std::string& with) {
     return text.rfind(with, 0) == 0;
   };
-  EXPECT_EQ(cuts_text({1, false, true, "--box-method cut", true}),
+  EXPECT_EQ(cuts_text({1, false, true, "--box-method cut", true}, false),
             "Segments are cut at 1 point by the run itself: --box-method cut\n");
-  EXPECT_EQ(cuts_text({7, true, true, "", true}),
+  EXPECT_EQ(cuts_text({7, true, true, "", true}, false),
             "Segments are cut at 7 points, those of arcs on their circles\n");
-  EXPECT_TRUE(begins_with(cuts_text({7, false, false, "", true}),
+  EXPECT_TRUE(begins_with(cuts_text({7, false, false, "", true}, false),
                           "Segments have vertices inside; all else is sound. If sides were"));
+  EXPECT_TRUE(begins_with(cuts_text({7, false, false, "", true}, true),
+                          "Segments have vertices inside; all else is sound. If segments were to"));
   EXPECT_TRUE(begins_with(
-      cuts_text({7, true, false, "", false}),
+      cuts_text({7, true, false, "", false}, false),
       "Segments are cut at 7 points, those of arcs on their circles; all else but materials is"));
 }
 

@@ -361,7 +361,8 @@ int check_whole(const CheckCommand& command, const std::string& mesh_path,
   Verification found = verify_cover(prepared.pslg, prepared.table, mesh.soup, verify);
   heed_groups(mesh_path, prepared, mesh.soup, verify, found);
   const auto cuts = take_own_cuts(mesh_path, mesh, verify, prepared, found);
-  if (cuts && (!quiet || !cuts->are_meant)) fmt::print("{}", cuts_text(*cuts));
+  if (cuts && (!quiet || !cuts->are_meant))
+    fmt::print("{}", cuts_text(*cuts, !subject.periodic.empty()));
   const bool is_run_told = print_hints(command, origin, found, prepared.pslg, mesh.soup);
   int code = print_promises(found);
   if (rounded.count > 0) code = exit_unmet;
