@@ -53,8 +53,9 @@ int run_convert(Arguments arguments) {
       R"(Names of regions, interfaces and contacts come from the manifest (.json) or the .vtm beside
 the mesh, else from the mesh's own file; what is missing then is said. Attributes of regions
 (--keep-field) and values at points (doping) are kept where both formats bear them. Which sides
-are periodic stands in the manifest and in .msh: else pairs are left out, which is said. With
---order 2 curved edges stay curved; the circles of arcs stand in the manifest alone.
+are periodic stands in the manifest and in .msh: else pairs are left out, which is said of files
+of VTK's, which bear a trace of them. With --order 2 curved edges stay curved; the circles of arcs
+stand in the manifest alone.
 
 Examples:
   cover convert device.vtm -o device.vtu
