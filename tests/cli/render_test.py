@@ -40,6 +40,18 @@ class Render(Case):
         self.assertGreater(len(set(re.findall('fill="(#[0-9a-f]{6})"', pictures[0]))), 10)
         self.assertEqual(*(re.findall('<path fill=[^/]*/>', pictures[k]) for k in (0, 2)))
 
+    def test_arrays_of_our_own(self):
+        self.run_cover('mesh', SAMPLES / 'fibre_cell.json', '-o', 'p.vtu', '-q')
+        self.run_cover('mesh', SAMPLES / 'fibre_cell.json', '-o', 'p.pvtu', '--parts', '3', '-q')
+        for mesh, names in (('p.vtu', ('PeriodicNode',)), ('p.pvtu', ('Owner', 'GlobalCellId', 'GlobalNodeId', 'PeriodicNode'))):
+            for name in names:
+                self.run_cover('render', mesh, '-o', 'p.svg', '--color', name, '--title', 't')
+                ends = [float(text) for text in re.findall(r'>([0-9.]+)</text>', (self.dir / 'p.svg').read_text())]
+                self.assertGreaterEqual(min(ends), 0)
+                self.assertTrue(1.3 < max(ends) <= 2 if name == 'Owner' else max(ends) > 60, (name, ends))
+        _, err = self.run_cover('render', 'p.vtu', '-o', 'p.svg', '--color', 'Owner', code=2)
+        self.assertIn("has no array 'Owner'; it has ", err)
+
     def test_angles_where_the_file_has_none(self):
         self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.msh', '-o', 'd.inp', '-o', 'd.mesh', '-o', 'd.vtm', '-q')
         for name in ('max_angle', 'min_angle'):

@@ -120,7 +120,8 @@ void add_options(CLI::App& app, Asked& asked) {
       ->check(one_of({"svg", "png"}))
       ->type_name("EXT")
       ->capture_default_str();
-  app.add_option("--color", asked.options.color, "Colour by this cell array, say max_angle")
+  app.add_option("--color", asked.options.color,
+                 "Colour by this array of triangles or points, say max_angle")
       ->type_name("ARRAY");
   app.add_option("--range", asked.range,
                  "Values at both ends of the colours: LOW,HIGH (default: found)")

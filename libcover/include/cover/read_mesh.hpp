@@ -52,8 +52,8 @@ struct MeshFile {
   /// VTK, .msh: points are paired on periodic sides. Which sides these are, a .msh alone tells.
   bool has_periodic_points = false;
   std::vector<PeriodicNodes> periodic{};  ///< .msh: empty too where it is not as cover writes it
-  /// VTK, .msh, .xdmf: numbers at points, as they are in `soup`, without those that every mesh of
-  /// ours has.
+  /// VTK, .msh, .xdmf: numbers at points, as they are in `soup`; of a .vtm or .xdmf without those
+  /// that every mesh of ours has.
   std::vector<PlaneField::Array> point_arrays{};
 };
 

@@ -5,7 +5,6 @@
 #include <array>
 
 #include "base/faults/errors.hpp"
-#include "io/text/array_names.hpp"
 #include "io/vtk_files/arrays/whole_number.hpp"
 
 namespace cover {
@@ -37,7 +36,7 @@ std::vector<CellArray> cell_arrays(const DataSet& data, const std::vector<std::s
 std::vector<PlaneField::Array> point_arrays(const DataSet& data) {
   std::vector<PlaneField::Array> arrays;
   for (const NumberArray& numbers : data.point_arrays) {
-    if (is_own_array(numbers.name) || !numbers.is_one_per(data.point_count())) continue;
+    if (!numbers.is_one_per(data.point_count())) continue;
     numbers.visit([&](auto values) {
       PlaneField::Array array{numbers.name, {}};
       array.values.reserve(values.size());

@@ -20,18 +20,11 @@
 #include "base/none.hpp"
 #include "io/read_mesh/formats/mesh_of_data_set.hpp"
 #include "io/read_mesh/formats/pieces/piece_files.hpp"
-#include "io/text/array_names.hpp"
 #include "io/text/text.hpp"
 #include "io/text/xml_tree.hpp"
 
 namespace cover {
 namespace {
-
-/// Arrays that tell of the division alone.
-bool is_of_division(std::string_view name) {
-  return name == "GlobalNodeId" || name == "GlobalCellId" || name == "Owner" ||
-         name == "vtkGhostType";
-}
 
 /// A number of each item in the whole, below `end`; nothing if one has none.
 std::optional<std::vector<std::uint32_t>> numbers_in_whole(const NumberArray* array,
@@ -196,7 +189,8 @@ class Whole {
       if (own == 0) continue;
       std::vector<NumberArray>& all = piece.data.*arrays;
       std::erase_if(all, [&](const NumberArray& array) {
-        return is_of_division(array.name) || !array.is_one_per(own);
+        // In the whole there are no ghosts.
+        return array.name == "vtkGhostType" || !array.is_one_per(own);
       });
       of_pieces.push_back(std::move(all));
     }
