@@ -14,6 +14,7 @@
 #include "base/containers/order.hpp"
 #include "geom/box.hpp"
 #include "geom/ulp.hpp"
+#include "region/lines_between.hpp"
 
 namespace cover {
 namespace {
@@ -42,9 +43,10 @@ Error no_such_line(const LayerRule& rule, const Pslg& pslg, const RegionTable& t
   for (const Interface& line : table.interfaces) names.push_back(line.name);
   const std::string in_void = line_in_void(pslg, rule.line);
   if (!in_void.empty()) return bad_layers(rule, in_void);
+  const std::string between = lines_between(table, rule.line);
   return bad_layers(
       rule, "there is no interface, contact, outline, inner line or boundary marker of that name" +
-                did_you_mean(rule.line, names));
+                (between.empty() ? did_you_mean(rule.line, names) : between));
 }
 
 /// Layers that coordinates cannot hold.

@@ -2,6 +2,7 @@
 #include <cover/regions.hpp>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include <fmt/core.h>
@@ -10,6 +11,7 @@
 #include <cover/text.hpp>
 
 #include "base/words/parse_number.hpp"
+#include "region/lines_between.hpp"
 
 namespace cover {
 namespace {
@@ -26,15 +28,17 @@ std::vector<RegionId> regions_where(const RegionTable& table, Test test) {
   return found;
 }
 
+/// Whether `name` is made of two names.
+bool is_made_of(std::string_view name, std::string_view first, std::string_view second) {
+  return name.size() == first.size() + 1 + second.size() && name.starts_with(first) &&
+         name[first.size()] == '_' && name.ends_with(second);
+}
+
 /// Whether `name` is made of the names of the regions beside `line`, in either order.
 bool is_of_both(const RegionTable& table, const Interface& line, std::string_view name) {
   if (line.kind != InterfaceKind::interface) return false;
   const std::string &left = table.region(line.left).name, &right = table.region(line.right).name;
-  const auto is_made_of = [&](const std::string& first, const std::string& second) {
-    return name.size() == first.size() + 1 + second.size() && name.starts_with(first) &&
-           name[first.size()] == '_' && name.ends_with(second);
-  };
-  return is_made_of(left, right) || is_made_of(right, left);
+  return is_made_of(name, left, right) || is_made_of(name, right, left);
 }
 
 /// The segments of the lines that pass the test.
@@ -90,6 +94,36 @@ std::string line_in_void(const Pslg& pslg, std::string_view name) {
       "the line '{}' touches no region that is meshed: it lies in the void, first "
       "from {} to {}",
       name, describe(pslg.points[line->a.index()]), describe(pslg.points[line->b.index()]));
+}
+
+std::string lines_between(const RegionTable& table, std::string_view name) {
+  std::vector<std::string> lines;
+  std::string left, right;
+  for (const Interface& line : table.interfaces) {
+    if (line.left == kVoid || line.right == kVoid || line.left == line.right) continue;
+    const auto names = [&](RegionId id) {
+      const Region& region = table.region(id);
+      return std::array{region.name, region.material_name};
+    };
+    for (const std::string& one : names(line.left)) {
+      for (const std::string& other : names(line.right)) {
+        const bool is_left_first = is_made_of(name, one, other);
+        if (!is_left_first && !is_made_of(name, other, one)) continue;
+        left = is_left_first ? one : other;
+        right = is_left_first ? other : one;
+        lines.push_back(fmt::format("'{}'", line.name));
+      }
+    }
+  }
+  std::sort(lines.begin(), lines.end());
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  if (lines.empty()) return "";
+  constexpr std::size_t kMostLines = 8;
+  const std::size_t more = lines.size() - std::min(lines.size(), kMostLines);
+  lines.resize(lines.size() - more);
+  return fmt::format("; between '{}' and '{}' {} {}{}", left, right,
+                     lines.size() == 1 ? "lies" : "lie", listed(lines),
+                     more == 0 ? "" : fmt::format(" and {} more", more));
 }
 
 Error no_such_region(const RegionTable& table, const std::string& what, const std::string& name) {

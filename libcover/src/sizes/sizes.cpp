@@ -21,6 +21,7 @@
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 #include "sizes/fields/ask_size.hpp"
+#include "region/lines_between.hpp"
 #include "sizes/fields/graded_function.hpp"
 #include "sizes/segment_sizes.hpp"
 #include "sizes/size_field.hpp"
@@ -125,7 +126,7 @@ Error unknown_name(const SizeRule& rule, const Pslg& pslg, const RegionTable& ta
       fmt::format("size for '{}': {}", rule.name,
                   in_void.empty() ? "there is no interface, contact, point or boundary marker of "
                                     "that name" +
-                                        did_you_mean(rule.name, names)
+                                        (between.empty() ? did_you_mean(rule.name, names) : between)
                                   : in_void),
       {},
       {}};
@@ -135,6 +136,7 @@ Error unknown_name(const SizeRule& rule, const Pslg& pslg, const RegionTable& ta
 std::vector<std::string> sizes_of_nothing(std::span<const RegionBoundary> boundaries,
                                           std::optional<double> least) {
   struct Wish {
+  const std::string between = lines_between(table, rule.name);
     Result<SizeFunction> function;
     bool is_heard = false;
   };

@@ -62,6 +62,9 @@ TEST(LayerRules, WithUnknownNamesAreRefused) {
   EXPECT_EQ(refusal({{"gat", "", 0.1, 1, 1}}),
             "layers for 'gat': there is no interface, contact, outline, inner line or boundary "
             "marker of that name; did you mean 'gate'?");
+  EXPECT_EQ(refusal({{"Si_SiO2", "", 0.1, 1, 1}}),
+            "layers for 'Si_SiO2': there is no interface, contact, outline, inner line or boundary "
+            "marker of that name; between 'Si' and 'SiO2' lies 'left_right'");
   EXPECT_EQ(refusal({{"gate", "lef", 0.1, 1, 1}}),
             "layers for 'gate' 'lef': there is no region or material of that name; did you mean "
             "'left'?");

@@ -4,6 +4,8 @@
 
 #include <cover/pslg.hpp>
 
+#include "region/lines_between.hpp"
+
 namespace cover {
 namespace {
 
@@ -98,6 +100,28 @@ TEST(NamedSegments, InterfacesInEitherOrder) {
     EXPECT_EQ(named_segments(pslg, lines, none), Segments{}) << none;
   pslg.names = {"", "drain_gate"};  // the input's own line, wherever it lies
   EXPECT_EQ(named_segments(pslg, lines, "drain_gate"), Segments{});
+}
+
+TEST(LinesBetween, RegionsOrMaterialsThatANameIsMadeOf) {
+  RegionTable between = table();
+  const auto add = [&](std::string name, int left, int right, InterfaceKind kind) {
+    Interface line;
+    line.name = std::move(name);
+    line.left = RegionId{left};
+    line.right = right == 0 ? kVoid : RegionId{right};
+    line.kind = kind;
+    between.interfaces.push_back(std::move(line));
+  };
+  add("oxide", 1, 2, InterfaceKind::contact);
+  add("gate_source", 3, 1, InterfaceKind::interface);
+  add("outline", 1, 0, InterfaceKind::outline);
+  EXPECT_EQ(lines_between(between, "gate_drain"), "; between 'gate' and 'drain' lies 'oxide'");
+  EXPECT_EQ(lines_between(between, "Si_poly"),
+            "; between 'Si' and 'poly' lie 'gate_source', 'oxide'");
+  EXPECT_EQ(lines_between(between, "poly_Si"),
+            "; between 'poly' and 'Si' lie 'gate_source', 'oxide'");
+  for (const char* none : {"Si_Si", "Si", "Si_", "poly_", "drain_source"})
+    EXPECT_EQ(lines_between(between, none), "") << none;
 }
 
 TEST(LineInVoid, TellsWhereItLies) {
