@@ -3,6 +3,7 @@
 // The document is walked twice: first all arcs are shown to the CurveCutter, which must know every
 // end on a circle before it cuts it; then everything is read in order.
 // Tested by read_json_test.cpp.
+#include <cover/text.hpp>
 #include <cover/units.hpp>
 
 #include <fmt/core.h>
@@ -17,6 +18,7 @@
 
 #include "base/containers/give_back.hpp"
 #include "base/run_all.hpp"
+#include "geom/ulp.hpp"
 #include "io/input/drawings/curves.hpp"
 #include "io/input/drawings/read_geojson.hpp"
 #include "io/input/formats.hpp"
@@ -37,6 +39,8 @@ const std::vector<std::string_view> kTopKeys{
 constexpr long kMostLayers = 1000;
 
 /// Of these nothing is asked.
+/// Spacings of doubles by which two radii of one arc differ where its points were computed.
+constexpr double kRoundings = 16;
 const std::vector<std::string_view> kFreeKeys{"name",  "source", "license",
                                               "notes", "field",  "$schema"};
 
@@ -73,6 +77,7 @@ class InputReader {
     if (json_.failed()) return json_.error();
     for (std::string& sentence : cutter_.finer_than_asked())
       input_.warnings.push_back(std::move(sentence));
+    if (uneven_arcs_ > 0) input_.warnings.push_back(uneven_arcs_text());
     return std::move(input_);
   }
 
@@ -368,6 +373,7 @@ class InputReader {
       json_.fail(arc, fmt::format("the ends ({}, {}) and ({}, {}) are not equally far from the "
                                   "centre: {} and {}",
                                   a.x, a.y, b.x, b.y, from_a, from_b));
+    note_uneven(centre, from_a, from_b);
     const double step = read_step(arc, std::max(from_a, std::numeric_limits<double>::min()),
                                   std::abs(sweep_between(a, b, centre, turn)), 1);
     if (json_.failed()) return;
@@ -375,6 +381,21 @@ class InputReader {
         limited(arc, cut_arc_between(a, b, centre, turn, step, kMostCurvePoints - curve_points_));
     add_chain(segment,
               chords(std::move(points), circles_.of({centre, from_a + (from_b - from_a) / 2})));
+  }
+
+  void note_uneven(Point centre, double from_a, double from_b) {
+    const double rounding = spacing_at(std::max({std::abs(centre.x), std::abs(centre.y), from_a}));
+    const double apart = std::abs(from_a - from_b);
+    if (!(apart > kRoundings * rounding)) return;
+    ++uneven_arcs_;
+    most_uneven_ = std::max(most_uneven_, apart);
+  }
+
+  [[nodiscard]] std::string uneven_arcs_text() const {
+    return fmt::format(
+        "{} between two points {} ends that are not equally far from the centre, by up to {:.3g}: "
+        "the radius is the mean of both",
+        counted(uneven_arcs_, "arc"), uneven_arcs_ == 1 ? "has" : "have", most_uneven_);
   }
 
   void add_chain(InputSegment segment, const Path& path) {
@@ -519,6 +540,8 @@ class InputReader {
   std::size_t curve_points_ = 0;
   std::map<Point, std::uint32_t> indices_;
   CircleNumbers circles_{input_.circles};
+  std::size_t uneven_arcs_ = 0;  ///< whose ends are not equally far from the centre
+  double most_uneven_ = 0;
 };
 
 /// What counts with maps alone does nothing here, which is told; of several files one may be a map.

@@ -275,6 +275,30 @@ TEST(ReadJson, RefusesImpossibleCurves) {
             std::string::npos);
 }
 
+TEST(ReadJson, TellsWhatHelpsAgainstOtherLettersAndLines) {
+  EXPECT_NE(message_of("{\"name\": \"Gr\xfcn\"}").find("ill-formed UTF-8 byte"), std::string::npos);
+  EXPECT_NE(message_of("{\"name\": \"Gr\xfcn\"}").find("; JSON is in UTF-8: 'iconv -f LATIN1 -t"),
+            std::string::npos);
+  EXPECT_NE(message_of("{}\n{}\n").find("; one document is read, not one in each line: 'jq -s'"),
+            std::string::npos);
+}
+
+TEST(ReadJson, TellsOfArcsWhoseEndsAreNotEquallyFarFromTheCentre) {
+  const auto warnings = [](const char* end) {
+    return parse_json(fmt::format(R"({{"points": [[0.3, 0], [{}]], "segments": [{{"points": [0, 1],
+                                   "arc": {{"centre": [0, 0], "chords": 4}}}}, [1, 0]]}})",
+                                  end),
+                      "deck.json")
+        ->warnings;
+  };
+  EXPECT_EQ(warnings("0, 0.3").size(), 0U);
+  EXPECT_EQ(warnings("0.21213203435596426, 0.21213203435596426").size(), 0U);
+  EXPECT_EQ(warnings("0, 0.30002"),
+            (std::vector<std::string>{"1 arc between two points has ends that are not equally far "
+                                      "from the centre, by up to 2e-05: the radius is the mean of "
+                                      "both"}));
+}
+
 TEST(ReadJson, LimitsTheCurvePointsOfAFileAsAWhole) {
   std::string text = R"({"polygons": [)";
   for (int k = 0; k < 20; ++k)
