@@ -1,6 +1,7 @@
 // Tested by tests/unit/io/input/meshes/read_size_field_test.cpp.
 #include "io/input/meshes/plane_fields.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -172,6 +173,12 @@ class CsvReader {
 
   /// The first line, where it holds no numbers: columns x and y wherever they stand.
   void read_names() {
+    const auto is_several = [](const std::string& name) {
+      return name.front() != '"' && name.find(';') != std::string::npos;
+    };
+    if (std::any_of(names_.begin(), names_.end(), is_several))
+      return fail(ErrorCode::syntax,
+                  "columns are separated by ';'? Commas or blanks are read between them");
     for (std::string& name : names_) {
       if (name.size() > 1 && name.front() == '"' && name.back() == '"')
         name = name.substr(1, name.size() - 2);

@@ -47,6 +47,36 @@ Result<PlaneField::Array*> find_sizes(PlaneField& field, const std::string& path
                                 listed(array_names(field))));
 }
 
+/// Edge lengths, and the name of their array.
+struct LengthsOfFile {
+  SizeSamples samples;
+  std::string array;
+};
+
+Result<LengthsOfFile> read_lengths(const std::string& path) {
+  Result<PlaneField> field = read_plane_field(path);
+  if (!field) return std::move(field).error();
+  const Result<PlaneField::Array*> sizes = find_sizes(*field, path);
+  if (!sizes) return sizes.error();
+  return LengthsOfFile{
+      {std::move(field->points), std::move(field->triangles), std::move((*sizes)->values)},
+      std::move((*sizes)->name)};
+}
+
+/// What options say of the sizes in a file; a warning tells where nothing says that they are any.
+Result<SizeSamples> read_samples(const Options& options, std::vector<std::string>& warnings) {
+  const std::string& path = options.size_field_name;
+  if (!options.size_of.empty()) return read_size_field(path, options.size_of, options.size_step);
+  Result<LengthsOfFile> lengths = read_lengths(path);
+  if (!lengths) return std::move(lengths).error();
+  if (lengths->array != "size" && lengths->array != "h")
+    warnings.push_back(fmt::format(
+        "{}: the only array, '{}', is taken for edge lengths; values that are no lengths need "
+        "--size-of",
+        path, lengths->array));
+  return std::move(lengths->samples);
+}
+
 /// The values by point of what sizes shall follow.
 Result<std::vector<double>> values_of(const PlaneField& field, const std::string& of,
                                       const std::string& path) {
@@ -132,12 +162,9 @@ void scale(SizeSamples& samples, double factor) {
 }  // namespace
 
 Result<SizeSamples> read_size_field(const std::string& path) {
-  Result<PlaneField> field = read_plane_field(path);
-  if (!field) return std::move(field).error();
-  const Result<PlaneField::Array*> sizes = find_sizes(*field, path);
-  if (!sizes) return sizes.error();
-  return SizeSamples{std::move(field->points), std::move(field->triangles),
-                     std::move((*sizes)->values)};
+  Result<LengthsOfFile> lengths = read_lengths(path);
+  if (!lengths) return std::move(lengths).error();
+  return std::move(lengths->samples);
 }
 
 Result<SizeSamples> read_size_field(const std::string& path, const std::string& of, double step) {
@@ -174,9 +201,7 @@ Status load_size_field(Options& options, Input& input) {
     if (options.size_field || options.size_field_name.empty()) return ok();
     if (Status status = check_but_for_file(options); !status) return status;
     const std::string& path = options.size_field_name;
-    Result<SizeSamples> samples = options.size_of.empty()
-                                      ? read_size_field(path)
-                                      : read_size_field(path, options.size_of, options.size_step);
+    Result<SizeSamples> samples = read_samples(options, input.warnings);
     if (!samples) return samples.error();
     if (is_one_file(path, input.source)) options.size_field_scale = input.scale;
     scale(*samples, options.size_field_scale);

@@ -120,6 +120,9 @@ TEST(ReadSizeField, TablesThatAreNone) {
   EXPECT_EQ(refusal("0,0,1\n0,0,2"), ":2: (0, 0) stands there a second time, with 2 instead of 1");
   EXPECT_EQ(refusal("x,y\n0,0"), ":2: expected x, y and a value in each line");
   EXPECT_EQ(refusal("y,h,z\n0,0,1"), ":1: the first two columns are x and y");
+  for (const char* text : {"0;0;1\n1;0;1", "x;y;h\n0;0;1", "x; y; h\n0; 0; 1"})
+    EXPECT_EQ(refusal(text),
+              ":1: columns are separated by ';'? Commas or blanks are read between them");
 }
 
 TEST(ReadSizeField, WhatChangesIsResolved) {
@@ -157,6 +160,20 @@ TEST(ReadSizeField, WhatChangesIsResolved) {
   EXPECT_NE(several.error().message.find("asinh of which point array? Of u, v, as asinh(u)"),
             std::string::npos)
       << several.error().message;
+}
+
+TEST(LoadSizeField, TellsWhatIsTakenForLengths) {
+  const TemporaryFolder folder;
+  for (const char* name : {"n", "h", "size"}) {
+    Options options;
+    options.size_field_name = folder.write("n.vtk", legacy(scalars(name, "1 2 3 4 5")));
+    Input input;
+    ASSERT_TRUE(load_size_field(options, input));
+    ASSERT_EQ(input.warnings.size(), name == std::string("n") ? 1U : 0U) << name;
+    if (input.warnings.empty()) continue;
+    EXPECT_NE(input.warnings[0].find("n.vtk: the only array, 'n', is taken for edge lengths"),
+              std::string::npos);
+  }
 }
 
 /// Such a growth once kept sizes from ever being spread.
