@@ -115,7 +115,8 @@ class Value {
       return {joined(value)};
     if (entry_.repeats && !is_text && py::isinstance<py::iterable>(value)) {
       std::vector<std::string> all;
-      for (const py::handle& item : value) all.push_back(text(item));
+      for (const py::handle& item : value)
+        all.push_back(is_pair_of_sides(item) ? pair_of_sides(item) : text(item));
       return all;
     }
     return split(text(value));
@@ -144,6 +145,21 @@ class Value {
     }
     parts.push_back(std::move(text));
     return parts;
+  }
+
+  /// ("left", "right"), as JSON has it, of periodic sides.
+  [[nodiscard]] bool is_pair_of_sides(const py::handle& item) const {
+    return entry_.name == "periodic" &&
+           (py::isinstance<py::tuple>(item) || py::isinstance<py::list>(item)) &&
+           py::len(item) == 2;
+  }
+
+  [[nodiscard]] std::string pair_of_sides(const py::handle& item) const {
+    const auto name = [&](int k) {
+      const std::string given = text(item[py::int_(k)]);
+      return given.find_first_of("=@") == std::string::npos ? given : '"' + given + '"';
+    };
+    return name(0) + "=" + name(1);
   }
 
   /// (0, 0, 2, 1) as "0,0,2,1".
@@ -281,6 +297,8 @@ Keywords options_from(const py::dict& keywords) {
     const Named<Options> named = find_keyword(key);
     if (named.entry == nullptr && Named<ReadOptions>::in(find_read_option, key).entry != nullptr)
       refuse_option("unexpected option '" + key + "': it counts where files are read");
+    if (named.entry == nullptr && Named<WriteOptions>::in(find_write_option, key).entry != nullptr)
+      refuse_option("unexpected option '" + key + "': it is an option of save()");
     if (named.entry == nullptr)
       refuse_keyword(key, keywords_of(option_table(), read_option_table()));
     const Value<Options> argument(key, *named.entry);

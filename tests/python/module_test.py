@@ -54,6 +54,8 @@ class Meshing(unittest.TestCase):
         mesh = cover.mesh(SQUARE, SEGMENTS, REGIONS, lines=lines, periodic='left=right', split_interfaces=90, size=0.2)
         rule, = mesh.periodic
         self.assertEqual((rule['from'], rule['to']), ('left', 'right'))
+        again = cover.mesh(SQUARE, SEGMENTS, REGIONS, lines=lines, periodic=[('left', 'right')], split_interfaces=90, size=0.2)
+        self.assertEqual(again.report['options']['periodic'], 'left=right')
         pairs = rule['vertices']
         self.assertGreater(len(pairs), 4)
         self.assertEqual(rule['edges'].shape, (len(pairs) - 1, 4))

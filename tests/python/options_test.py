@@ -366,6 +366,7 @@ class Keywords(unittest.TestCase):
                 (dict(sizes={'a': 0}), cover.OptionError, "sizes: 'a=0' is not h or NAME=h with a length h above 0"),
                 (dict(size_at=0.1), cover.OptionError, "size_at: '0.1' is not NAME=h with a length h above 0"),
                 (dict(pieces=3), cover.OptionError, 'pieces needs paper'),
+                (dict(order=2), cover.OptionError, "unexpected option 'order': it is an option of save()"),
                 ({'max-angle': 120}, cover.OptionError, "unexpected option 'max-angle'; did you mean 'max_angle'?"),
                 (dict(max_angel=120), cover.OptionError, "unexpected option 'max_angel'; did you mean 'max_angle'?")):
             with self.assertRaises(kind) as caught:

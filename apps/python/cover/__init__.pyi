@@ -45,7 +45,8 @@ class _Options(TypedDict, total=False):
     split_interfaces: Union[None, bool, float]
     overlap: Literal["last", "first", "error"]
     weld: Union[None, float, str]  # "auto", "off"
-    periodic: Union[str, Sequence[str]]  # "left=right", "a=b@x,y:degrees", "a=b@mirror"
+    # "left=right" or ("left", "right"), "a=b@x,y:degrees", "a=b@mirror"
+    periodic: Union[str, Sequence[Union[str, Tuple[str, str]]]]
     strict: bool
     merge_materials: bool
     hull: bool
