@@ -388,6 +388,12 @@ print(len(seen))
         self.run_cover(*mesh, 2)
         self.assertEqual(self.files(), ['d_1.msh', 'd_2.msh', 'd_3.msh', 'd_7.msh'])
 
+    def test_other_formats_beside_parts_are_whole(self):
+        self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-o', 'd.pvtu', '-o', 'd.msh', '--msh', '4.1', '--parts', 2)
+        self.assertEqual(self.files(), ['d.parts', 'd.pvtu', 'd.vtu', 'd_1.msh', 'd_2.msh'])
+        self.assertIn('Every promise holds', self.run_cover('check', SAMPLES / 'diode.poly', 'd.vtu')[0])
+        self.assertIn('version 4.1', self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'e.pvtu', '-o', 'e.msh', '--parts', 2, code=2)[1])
+
     def test_only_where_the_format_has_parts(self):
         self.assertIn('version 4.1', self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.msh', '--parts', 2, code=2)[1])
         self.assertIn('in parts', self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--parts', 2, code=2)[1])

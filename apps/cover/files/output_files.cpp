@@ -86,17 +86,31 @@ std::vector<NamedFile> OutputFiles::named_files() const {
 
 bool OutputFiles::has_stdout() const { return is_among(meshes_, "-"); }
 
+WriteOptions OutputFiles::write_options_for(const std::string& path) const {
+  WriteOptions options = write_options();
+  const auto knows_parts = [&](const std::string& mesh) {
+    WriteOptions in_parts;
+    in_parts.msh = "4.1";
+    in_parts.parts = 2;
+    return can_write("mesh" + extension_of_output(mesh, format_), in_parts).has_value();
+  };
+  if (options.parts != 1 && !knows_parts(path) &&
+      std::any_of(meshes_.begin(), meshes_.end(), knows_parts))
+    options.parts = 1;
+  return options;
+}
+
 Status OutputFiles::plan() {
-  const WriteOptions options = write_options();
   planned_.clear();
   for (const std::string& path : meshes_) {
+    const WriteOptions options = write_options_for(path);
     Result<Writer> writer =
         path == "-" ? stdout_writer(format_, options) : mesh_writer(path, options);
     if (!writer) return std::move(writer).error();
     planned_.push_back({path, *std::move(writer), false});
   }
   for (const std::string& path : reports_) {
-    Result<Writer> writer = report_writer(path, options.order);
+    Result<Writer> writer = report_writer(path, write_options().order);
     if (!writer) return std::move(writer).error();
     planned_.push_back({path, *std::move(writer), true});
   }

@@ -51,6 +51,8 @@ class OutputFiles {
   [[nodiscard]] bool has_stdout() const;
   /// What the options of formats say.
   [[nodiscard]] WriteOptions write_options() const { return formats_.make(); }
+  /// The same for one of the meshes: whole, where its format knows no parts and another's does.
+  [[nodiscard]] WriteOptions write_options_for(const std::string& path) const;
 
   /// Finds out before the work whether every file can be written in the format that it asks for.
   ///

@@ -37,7 +37,7 @@ constexpr WriteOptionEntry kWriteTable[] = {
         .name = "parts", .placeholder = "N",
         .range = ranges::kParts,
         .help = "Parts of a .pvtu, with ghosts, owners and global ids, for as many processes; or of "
-                "a .msh 4.1, as X_1.msh, X_2.msh, ..."}),
+                "a .msh 4.1, as X_1.msh, X_2.msh, ...; other files beside these are whole"}),
     flag<&WriteOptions::inner_lines, false>({
         .name = "no-inner-lines",
         .help = "Leave out lines between two triangles",
