@@ -149,10 +149,17 @@ constexpr std::array kFormats{
     Format{".mha", picture},
 };
 
-Result<Input> parse_format(const Contents& file, const ReadOptions& options) {
+/// nullptr if there is none.
+const Format* find_format(std::string_view extension) {
   for (const Format& format : kFormats)
-    if (format.extension == file.extension) return format.parse(file, options);
-  return unknown_input_format(file.extension, file.source);
+    if (format.extension == extension) return &format;
+  return nullptr;
+}
+
+Result<Input> parse_format(const Contents& file, const ReadOptions& options) {
+  const Format* const format = find_format(file.extension);
+  return format != nullptr ? format->parse(file, options)
+                           : unknown_input_format(file.extension, file.source);
 }
 
 }  // namespace
@@ -184,6 +191,9 @@ Result<Input> parse_input(std::string_view text, std::string_view extension,
     if (const Status status = check_read_options(options); !status) return status.error();
     const std::string format = lower(options.format.empty() ? extension : options.format);
     Result<Input> input = parse_format({text, format, source}, options);
+    if (!input && text.empty() && find_format(format) != nullptr &&
+        input.error().code != ErrorCode::bad_option)
+      return Error{input.error().code, fmt::format("{}: nothing is in it", source), {}, {}};
     if (!input) return input;
     if (Status status = apply_units(*input, options); !status) return std::move(status).error();
     return input;

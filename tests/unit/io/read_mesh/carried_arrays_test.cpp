@@ -224,6 +224,13 @@ TEST(CarriedArrays, NumbersOfAnotherRunAreRefused) {
   ASSERT_FALSE(mixed);
   EXPECT_NE(mixed.error().message.find("holds the numbers of another mesh"), std::string::npos)
       << mixed.error().message;
+  const std::string numbers = folder.path() / "x.h5";
+  const Result<std::string> all = read_file(numbers);
+  ASSERT_TRUE(all);
+  ASSERT_TRUE(replace_file(numbers, all->substr(0, all->size() / 2)));
+  const Result<MeshFile> cut = read_mesh(path);
+  ASSERT_FALSE(cut);
+  EXPECT_EQ(cut.error().message.find("another mesh"), std::string::npos) << cut.error().message;
 }
 
 TEST(CarriedArrays, WhatIsLeftOutIsTold) {

@@ -119,11 +119,13 @@ class XdmfReader {
     heavy_name_ = file;
     ContentHash hash;
     hash.add(*heavy_text_);
-    if (!hash_.empty() && hash_ != hash.text())
-      return wrong(
-          fmt::format("{} holds the numbers of another mesh: both files must be of one run", path));
     Result<Hdf5Tree> tree = parse_hdf5(*heavy_text_, path);
     if (!tree) return std::move(tree).error();
+    if (!hash_.empty() && hash_ != hash.text())
+      return wrong(
+          fmt::format("{} holds the numbers of another mesh, or is damaged: both files "
+                      "must be of one run, as it wrote them",
+                      path));
     heavy_ = *std::move(tree);
     return ok();
   }

@@ -159,6 +159,20 @@ void take_apart(Json& value) noexcept {  // NOLINT(bugprone-exception-escape)
   }
 }
 
+namespace {
+
+/// What helps against what the library tells, for the end of a message.
+std::string_view advice_for(std::string_view what) {
+  if (what.find("ill-formed UTF-8") != std::string_view::npos)
+    return "; JSON is in UTF-8: 'iconv -f LATIN1 -t UTF-8 FILE' writes it so, if it is in Latin-1";
+  if (what.find("expected end of input") != std::string_view::npos)
+    return "; one document is read, not one in each line: 'jq -s' puts them in a list, and of "
+           "GeoJSON 'ogr2ogr OUT.geojson GeoJSONSeq:FILE' makes one";
+  return "";
+}
+
+}  // namespace
+
 Result<JsonDocument> parse_json_text(std::string_view text, const std::string& source) {
   JsonDocument document;
   DocumentFiller filler(document.root());
@@ -167,7 +181,8 @@ Result<JsonDocument> parse_json_text(std::string_view text, const std::string& s
     std::string_view what = filler.what();
     if (const auto end = what.find("] "); end != std::string_view::npos)
       what.remove_prefix(end + 2);
-    return Error{ErrorCode::syntax, fmt::format("{}: {}", source, what), {}, {}};
+    return Error{
+        ErrorCode::syntax, fmt::format("{}: {}{}", source, what, advice_for(what)), {}, {}};
   }
   if (!filler.repeated().empty())
     return Error{

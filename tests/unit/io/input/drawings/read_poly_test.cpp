@@ -233,8 +233,9 @@ TEST_P(ReadPolyRefuses, WithFileAndLine) {
 INSTANTIATE_TEST_SUITE_P(
     Files, ReadPolyRefuses,
     ::testing::Values(
-        Refusal{"empty", "", ErrorCode::truncated,
-                "in.poly: the file ends where the number of points should follow"},
+        Refusal{"empty", "", ErrorCode::truncated, "in.poly: nothing is in it"},
+        Refusal{"nothing_but_blanks", "  \n", ErrorCode::truncated,
+                "in.poly:1: the file ends where the number of points should follow"},
         Refusal{"points_missing", "3 2 0 0\n1 0 0\n2 1 0\n", ErrorCode::truncated,
                 "in.poly:3: the file ends where point 3 of 3 should follow; are the counts right? "
                 "points: 3 (line 1)"},
