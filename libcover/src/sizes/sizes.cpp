@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,8 @@
 #include "geom/box.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
-#include "sizes/fields/ask_size.hpp"
 #include "region/lines_between.hpp"
+#include "sizes/fields/ask_size.hpp"
 #include "sizes/fields/graded_function.hpp"
 #include "sizes/segment_sizes.hpp"
 #include "sizes/size_field.hpp"
@@ -109,6 +110,20 @@ bool at_points(const SizeRule& rule, const Pslg& pslg, const RegionTable& table,
   return !segments.empty();
 }
 
+/// The rule with its name out of quotation marks, of which two stand for one, as names stand in
+/// rules for layers; nothing if there are none. A name that has them itself needs none around it.
+std::optional<SizeRule> without_quotes(const SizeRule& rule) {
+  const std::string& name = rule.name;
+  if (name.size() < 3 || name.front() != '"' || name.back() != '"') return std::nullopt;
+  SizeRule out = rule;
+  out.name.clear();
+  for (std::size_t k = 1; k + 1 < name.size(); ++k) {
+    if (name[k] == '"' && name[++k] != '"') return std::nullopt;
+    out.name += name[k];
+  }
+  return out;
+}
+
 Error unknown_name(const SizeRule& rule, const Pslg& pslg, const RegionTable& table) {
   std::vector<std::string> names;
   for (const Interface& line : table.interfaces) names.push_back(line.name);
@@ -121,6 +136,7 @@ Error unknown_name(const SizeRule& rule, const Pslg& pslg, const RegionTable& ta
   for (const NamedPoint& point : pslg.named_points) names.push_back(point.name);
   std::string in_void = line_in_void(pslg, rule.name);
   if (in_void.empty()) in_void = points_in_void(pslg, table, rule.name);
+  const std::string between = lines_between(table, rule.name);
   return {
       ErrorCode::bad_option,
       fmt::format("size for '{}': {}", rule.name,
@@ -136,7 +152,6 @@ Error unknown_name(const SizeRule& rule, const Pslg& pslg, const RegionTable& ta
 std::vector<std::string> sizes_of_nothing(std::span<const RegionBoundary> boundaries,
                                           std::optional<double> least) {
   struct Wish {
-  const std::string between = lines_between(table, rule.name);
     Result<SizeFunction> function;
     bool is_heard = false;
   };
@@ -213,9 +228,13 @@ Status resolve_sizes(const Pslg& pslg, const RegionTable& table, const Options& 
   if (options.sizes.empty()) return ok();
   std::vector<double> size_at(pslg.points.size(), 0), size_along(pslg.segments.size(), 0);
   for (const SizeRule& rule : options.sizes) {
-    const bool found = rule.at ? at_points(rule, pslg, table, size_at, size_along)
-                               : inside(rule, table, boundaries);
-    if (!found) return unknown_name(rule, pslg, table);
+    const auto find = [&](const SizeRule& named) {
+      return named.at ? at_points(named, pslg, table, size_at, size_along)
+                      : inside(named, table, boundaries);
+    };
+    if (find(rule)) continue;
+    const std::optional<SizeRule> without = without_quotes(rule);
+    if (!without || !find(*without)) return unknown_name(rule, pslg, table);
   }
   const double grid = kGrid * box_of(pslg.points).diagonal();
   for (RegionBoundary& boundary : boundaries) {

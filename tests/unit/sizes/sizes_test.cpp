@@ -215,6 +215,11 @@ TEST(Sizes, AreFoundByName) {
   const std::string line = regions.table.interfaces[0].name;
   options.sizes = {{line, 0.1, true}};
   ASSERT_TRUE(resolve_sizes(regions.pslg, regions.table, options, boundaries));
+  options.sizes = {{'"' + line + '"', 0.1, true}, {"\"right\"", 0.3, false}};
+  ASSERT_TRUE(resolve_sizes(regions.pslg, regions.table, options, boundaries));
+  EXPECT_EQ(boundaries[1].size, 0.3);
+  options.sizes = {{"\"wrong\"", 0.1, false}};
+  EXPECT_FALSE(resolve_sizes(regions.pslg, regions.table, options, boundaries));
   options.sizes = {{"wrong", 0.1, false}};
   const Status status = resolve_sizes(regions.pslg, regions.table, options, boundaries);
   ASSERT_FALSE(status);
