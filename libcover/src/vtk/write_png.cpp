@@ -76,12 +76,12 @@ bool has_ink(const Label& label) {
   return false;
 }
 
-/// "U+03B1", of one character beyond ASCII in UTF-8.
+/// "<U+03B1>", of one character beyond ASCII in UTF-8.
 std::string code_point_of(std::string_view character) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(character[k]); };
   unsigned code = byte(0) & (0xffU >> (character.size() + 1));
   for (std::size_t k = 1; k < character.size(); ++k) code = code << 6U | (byte(k) & 0x3fU);
-  return fmt::format("U+{:04X}", code);
+  return fmt::format("<U+{:04X}>", code);
 }
 
 /// A further byte of a character in UTF-8.
