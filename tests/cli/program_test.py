@@ -647,7 +647,7 @@ class Interrupt(Case):
                     pipe.write(b'$MeshFormat\n2.2 0 8\n$EndMeshFormat\n' + b' ' * 8192)
                     run.send_signal(sent)
                     out, err = run.communicate(timeout=60)
-                self.assertEqual((run.returncode, out, err), (130, '', 'cover: interrupted\n'))
+                self.assertEqual((run.returncode, out, err), (130, '', 'cover: error: interrupted\n'))
                 self.assertEqual(list(folder.iterdir()), [])
         self.assertEqual(self.files(), before)
 

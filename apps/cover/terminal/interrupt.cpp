@@ -61,7 +61,7 @@ void Interrupt::wait(const std::stop_token& done) {
   sigtimedwait(&signals_, nullptr, &kPatience);
   if (done.stop_requested() || finished_) return;
   remove_open_temporary_files();
-  std::fputs("cover: interrupted\n", stderr);
+  std::fputs("cover: error: interrupted\n", stderr);
   std::_Exit(exit_interrupted);
 }
 
