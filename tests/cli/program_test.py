@@ -216,6 +216,12 @@ class DryRun(Case):
         self.assertAlmostEqual(told[2] / about['available_bytes'] * 1e6, 1, delta=0.5)
         self.assertFalse(about['by_disks'])
 
+    def test_json_tells_how_files_are_read(self):
+        self.write('m.geojson', json.dumps({'type': 'Feature', 'properties': {'use': 'wood'}, 'geometry': {
+            'type': 'Polygon', 'coordinates': [[[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]]]}}))
+        options = json.loads(self.run_cover('mesh', 'm.geojson', '--material-field', 'use', '--size', '1', '--dry-run', '--stats', 'json')[0])
+        self.assertEqual((options['options']['material-field'], options['options']['size']), ('use', '1'))
+
     def test_report_is_not_written(self):
         for words in ((), ('--stats', 'json')):
             _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '--report', 'r.json', '--dry-run', *words)

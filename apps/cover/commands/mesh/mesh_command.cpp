@@ -226,14 +226,20 @@ int print_plan(const MeshCommand& command, const Prepared& prepared, const Estim
   return exit_ok;
 }
 
+/// Tells the report how files were read, too.
+void add_read_options(const MeshCommand& command, Report& report) {
+  for (Provenance::Setting& setting : command.input.settings())
+    report.provenance.settings.push_back(std::move(setting));
+}
+
 int dry_run(const MeshCommand& command, const Input& input, const Options& options,
             spdlog::logger& log) {
   // What memory may not do for is large.
   constexpr double kMany = std::numeric_limits<double>::infinity();
   const bool is_held = !stays_on_disk(command.plan, command.files, input, options, kMany);
-  const Result<Prepared> prepared =
-      prepare(input, options, {}, is_held ? Held::all : Held::one_region);
+  Result<Prepared> prepared = prepare(input, options, {}, is_held ? Held::all : Held::one_region);
   if (!prepared) return fail(log, prepared.error());
+  add_read_options(command, prepared->report);
   if (!command.plan.onto.empty()) {
     const Result<MeshSource> source = MeshSource::open(command.plan.onto);
     if (!source) return fail(log, source.error());
@@ -310,8 +316,7 @@ Result<Made> make(const MeshCommand& command, Input input, const Options& option
 int judge(const MeshCommand& command, Made& made, const std::vector<std::string>& told,
           const std::stop_token& stop, spdlog::logger& log) {
   Output& output = made.mesh.output;
-  for (Provenance::Setting& setting : command.input.settings())
-    output.report.provenance.settings.push_back(std::move(setting));
+  add_read_options(command, output.report);
   log_notes(log, not_yet_told(output.report.notes, told));
   for (const RegionReport& region : output.report.regions) log_notes(log, region.notes);
   if (!made.is_complete && !command.keep_partial) {
