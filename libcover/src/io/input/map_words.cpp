@@ -84,12 +84,13 @@ void tell_renamed(const std::vector<Attribute>& attributes, std::vector<std::str
   std::vector<std::string> names;
   for (const Attribute& attribute : attributes) names.push_back(attribute.name);
   const std::vector<std::string> arrays = array_names(names);
-  for (std::size_t k = 0; k < names.size(); ++k)
-    if (is_own_array(names[k]))
-      warnings.push_back(
-          fmt::format("the attribute '{}' is the array '{}' of mesh files: every mesh has an array "
-                      "of its name",
-                      names[k], arrays[k]));
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (names[k] == arrays[k]) continue;
+    warnings.push_back(
+        fmt::format("the attribute '{}' is the array '{}' of mesh files: {}", names[k], arrays[k],
+                    is_own_array(names[k]) ? "every mesh has an array of its name"
+                                           : "not every name can be that of an array"));
+  }
 }
 
 std::optional<double> number_in_words(std::string_view text) {

@@ -152,6 +152,16 @@ TEST(ReadGeojson, AnArrayOfAnotherNameIsTold) {
   ASSERT_TRUE(input.has_value()) << input.error().message;
   ASSERT_EQ(input->warnings.size(), 1U);
   EXPECT_EQ(input->warnings[0].find("the attribute 'RegionId' is the array 'RegionId_2'"), 0U);
+  options.keep_fields = {"q\"<"};
+  const Result<Input> odd = parse_geojson(
+      R"({"type": "Feature", "crs": null, "properties": {"q\"<": 3}, "geometry":
+      {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]}})",
+      "map.geojson", options);
+  ASSERT_TRUE(odd.has_value()) << odd.error().message;
+  EXPECT_EQ(odd->warnings,
+            std::vector<std::string>{"the attribute 'q\"<' is the array 'q_<' of mesh "
+                                     "files: not every name can be that of an "
+                                     "array"});
 }
 
 ReadOptions keeping(std::vector<std::string> fields) {
