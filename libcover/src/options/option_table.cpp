@@ -181,6 +181,7 @@ constexpr OptionEntry kTable[] = {
         .name = "overlap", .placeholder = "WHICH",
         .word_list = {"last", "first", "error"},
         .help = "Which of several painted polygons wins: last, first, or error",
+        .more = "Polygons of different priority overlap without an error: the higher wins.",
         .group = OptionGroup::cleaning}),
     weld({
         .name = "weld", .placeholder = "REL", .unit = "part of the drawing's size",
@@ -201,6 +202,8 @@ constexpr OptionEntry kTable[] = {
     flag<&Options::strict>({
         .name = "strict",
         .help = "Any change to the input is an error",
+        .more = "That a corner of one polygon splits the side of another is no change: it is what "
+                "painting is for.",
         .group = OptionGroup::cleaning}),
     flag<&Options::merge_materials>({
         .name = "merge-materials",
