@@ -193,7 +193,10 @@ Result<Input> parse_input(std::string_view text, std::string_view extension,
     Result<Input> input = parse_format({text, format, source}, options);
     if (!input && text.empty() && find_format(format) != nullptr &&
         input.error().code != ErrorCode::bad_option)
-      return Error{input.error().code, fmt::format("{}: nothing is in it", source), {}, {}};
+      return Error{input.error().code,
+                   fmt::format("{}: nothing is in it: it is empty, or was cut off", source),
+                   {},
+                   {}};
     if (!input) return input;
     if (Status status = apply_units(*input, options); !status) return std::move(status).error();
     return input;

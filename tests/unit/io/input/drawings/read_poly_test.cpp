@@ -233,7 +233,8 @@ TEST_P(ReadPolyRefuses, WithFileAndLine) {
 INSTANTIATE_TEST_SUITE_P(
     Files, ReadPolyRefuses,
     ::testing::Values(
-        Refusal{"empty", "", ErrorCode::truncated, "in.poly: nothing is in it"},
+        Refusal{"empty", "", ErrorCode::truncated,
+                "in.poly: nothing is in it: it is empty, or was cut off"},
         Refusal{"nothing_but_blanks", "  \n", ErrorCode::truncated,
                 "in.poly:1: the file ends where the number of points should follow"},
         Refusal{"points_missing", "3 2 0 0\n1 0 0\n2 1 0\n", ErrorCode::truncated,
