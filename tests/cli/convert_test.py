@@ -435,6 +435,28 @@ class Values(Case):
     def test_a_map_may_be_named_json(self):
         self.write('n.json', (self.dir / 'm.geojson').read_text())
         chosen = ('--material-field', 'use', '--name-field', 'fid', '--keep-field', 'height')
+    def test_texts_that_no_file_holds_are_told(self):
+        table = 'texts (use: 1 = Wald, 2 = Äcker & "Wiese") are not in {}: formats that hold them are .vtm, .vtkhdf, .json'
+        for name in 'a.vtu', 'a.msh', 'a.pvtu', 'a.xdmf':
+            self.assertIn(table.format(name), self.run_cover('mesh', 'm.geojson', *self.KEEP, '-o', name)[1])
+        told = self.run_cover('convert', 'a.vtu', '-o', 'b.msh')[1]
+        self.assertIn("numbers of 'use' may stand for texts", told)
+        self.run_cover('mesh', 'm.geojson', *self.KEEP, '-o', 'c.vtu', '-o', 'c.json')
+        self.assertIn(table.format('d.vtu'), self.run_cover('convert', 'c.vtu', '-o', 'd.vtu')[1])
+        self.assertNotIn('texts', self.run_cover('convert', 'c.vtu', '-o', 'e.vtm')[1])
+
+    def test_what_an_earlier_run_left_beside_a_mesh(self):
+        self.run_cover('mesh', 'm.geojson', *self.KEEP, '-o', 'a.vtu', '-o', 'a.json')
+        before = self.arrays('a.vtu', 'CellData', 'fid')
+        self.write('n.geojson', (self.dir / 'm.geojson').read_text().replace('40', '77'))
+        told = self.run_cover('mesh', 'n.geojson', *self.KEEP, '-o', 'a.vtu')[1]
+        self.assertIn('a.json stays beside a.vtu as an earlier run left it', told)
+        now = self.arrays('a.vtu', 'CellData', 'fid')
+        self.assertNotEqual(now, before)
+        told = self.run_cover('convert', 'a.vtu', '-o', 'b.vtu')[1]
+        self.assertIn("a.vtu: a.json contradicts it, and the mesh's own file counts: 'fid' of region 1 is 77, not 40", told)
+        self.assertEqual(self.arrays('b.vtu', 'CellData', 'fid'), now)
+
         told = self.run_cover('mesh', 'n.json', '--material-field', 'use', '--keep-field', 'height', '-o', 'o.vtu', '-o', 'o.json')[1]
         self.assertNotIn('does nothing', told)
         manifest = json.loads((self.dir / 'o.json').read_text())

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -33,6 +35,30 @@ std::vector<std::string> first_of_all(const std::vector<std::string>& names) {
     if (known.insert(name).second && known.size() <= kMost) first.push_back(name);
   if (known.size() > kMost) first.back() += fmt::format(" and {} more", known.size() - kMost);
   return first;
+}
+
+/// Of each attribute of text what its numbers mean: "code: 1 = 07, 2 = 12".
+std::vector<std::string> tables_of(const std::vector<Attribute>& attributes) {
+  constexpr std::size_t kMost = 10;
+  std::vector<std::string> tables;
+  for (const Attribute& attribute : attributes) {
+    if (!attribute.is_text) continue;
+    std::vector<std::string> rows;
+    for (std::size_t k = 0; k < std::min(kMost, attribute.words.size()); ++k)
+      rows.push_back(fmt::format("{} = {}", k + 1, printable(attribute.words[k])));
+    if (attribute.words.size() > kMost) rows.emplace_back("...");
+    tables.push_back(fmt::format("{}: {}", attribute.name, listed(rows)));
+  }
+  return tables;
+}
+
+/// Whether a manifest is there; it begins so. A large one takes long to be read.
+bool is_manifest(const std::filesystem::path& path) {
+  constexpr std::streamsize kBegin = 128;
+  std::string head(std::size_t{kBegin}, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(head.data(), kBegin);
+  return head.find("\"cover mesh manifest\"") != std::string::npos;
 }
 
 }  // namespace
@@ -143,6 +169,9 @@ std::vector<std::string> OutputFiles::warnings(const std::vector<Attribute>& att
     std::vector<std::string> sides;
     for (const PeriodicRule& rule : periodic) sides.push_back(describe(rule));
     sentences.push_back(lost("attributes", names_of(attributes), attribute_formats()));
+    if (!writes(".vtm"))
+      sentences.push_back(
+          lost("texts", tables_of(attributes), word_formats(), attribute_formats()));
     sentences.push_back(lost("pairs on periodic sides", sides, periodic_formats()));
     if (!writes(".vtm"))
       sentences.push_back(
@@ -150,6 +179,33 @@ std::vector<std::string> OutputFiles::warnings(const std::vector<Attribute>& att
   }
   sentences.push_back(lost("values at points", names_of(values_at_points), value_formats()));
   std::erase_if(sentences, [](const std::string& sentence) { return sentence.empty(); });
+  return sentences;
+}
+
+std::vector<std::string> OutputFiles::left_beside() const {
+  namespace fs = std::filesystem;
+  const std::vector<std::string> known = write_formats();
+  std::set<fs::path> seen;
+  for (const std::string& path : paths()) seen.insert(fs::path(path).lexically_normal());
+  std::vector<std::string> sentences;
+  for (const std::string& path : meshes_) {
+    const std::string extension = extension_of(path);
+    if (path == "-" || !is_among(known, extension) || extension == ".json" || extension == ".poly")
+      continue;
+    for (const char* other : {".json", ".vtm"}) {
+      const fs::path beside = fs::path(path).replace_extension(other);
+      std::error_code error;
+      if (!fs::is_regular_file(beside, error) || !seen.insert(beside.lexically_normal()).second)
+        continue;
+      // A .vtkhdf has all names itself, and a .json may be anything.
+      if (other == std::string_view(".vtm") ? extension == ".vtkhdf" : !is_manifest(beside))
+        continue;
+      sentences.push_back(fmt::format(
+          "{} stays beside {} as an earlier run left it, and is read with it for names: remove it, "
+          "or write it, too (-o)",
+          beside.string(), path));
+    }
+  }
   return sentences;
 }
 
@@ -185,8 +241,9 @@ bool OutputFiles::writes(std::string_view extension) const {
 }
 
 std::string OutputFiles::lost(std::string_view what, const std::vector<std::string>& names,
-                              const std::vector<std::string>& holding) const {
-  const std::vector<std::string> known = write_formats();
+                              const std::vector<std::string>& holding,
+                              const std::vector<std::string>& among) const {
+  const std::vector<std::string> known = among.empty() ? write_formats() : among;
   std::vector<std::string> without;
   for (const std::string& path : meshes_) {
     const std::string extension = extension_of_output(path, format_);

@@ -63,12 +63,16 @@ class OutputFiles {
   /// Errors: bad_option
   [[nodiscard]] Status can_hold_periodic() const;
 
-  /// What is lost without harm, a sentence each: options that do nothing, `attributes`, pairs on
-  /// `periodic` sides and names of `points` that stand in no manifest and that a file cannot hold,
-  /// and values at points that none of them can. A .vtm tells names of points to files beside it.
+  /// What is lost without harm, a sentence each: options that do nothing, `attributes`, the texts
+  /// that their numbers stand for, pairs on `periodic` sides and names of `points` that stand in no
+  /// manifest and that a file cannot hold, and values at points that none of them can. A .vtm tells
+  /// texts and names of points to files beside it.
   [[nodiscard]] std::vector<std::string> warnings(
       const std::vector<Attribute>& attributes, std::span<const PlaneField::Array> values_at_points,
       std::span<const PeriodicRule> periodic, const std::vector<std::string>& points = {}) const;
+  /// A sentence on each manifest and each .vtm that an earlier run left beside a mesh that is
+  /// written now: readers of the mesh take names from it.
+  [[nodiscard]] std::vector<std::string> left_beside() const;
   /// What is lost of the mesh itself, a sentence each: digits of coordinates that a file cannot
   /// hold, and named lines that --no-inner-lines leaves out and that stand in no manifest.
   [[nodiscard]] std::vector<std::string> warnings_of(const Output& output) const;
@@ -100,9 +104,11 @@ class OutputFiles {
   [[nodiscard]] bool writes(std::string_view extension) const;
   [[nodiscard]] std::string rounding(const Output& output) const;
   [[nodiscard]] std::string lines_left_out(const RegionTable& table) const;
-  /// That files hold none of what is called so: all but those in a format that is `holding`.
+  /// That files hold none of what is called so: all but those in a format that is `holding`. Only
+  /// files in a format that is `among` count, where there are any.
   [[nodiscard]] std::string lost(std::string_view what, const std::vector<std::string>& names,
-                                 const std::vector<std::string>& holding) const;
+                                 const std::vector<std::string>& holding,
+                                 const std::vector<std::string>& among = {}) const;
   [[nodiscard]] Status write_each(const std::function<Status(const Planned&)>& write,
                                   ShowProgress show, spdlog::logger& log) const;
 

@@ -43,6 +43,9 @@ std::vector<std::string> write_formats();
 /// Those of write_formats() that hold RegionTable::attributes.
 std::vector<std::string> attribute_formats();
 
+/// Those of these that hold the words of text; others number them.
+std::vector<std::string> word_formats();
+
 /// Those of write_formats() that hold Output::fields.
 std::vector<std::string> value_formats();
 

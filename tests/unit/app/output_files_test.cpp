@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/write_mesh.hpp>
 
 #include "support/inputs/inputs.hpp"
 #include "support/temporary_folder.hpp"
@@ -66,6 +67,20 @@ TEST(OutputFiles, WarnsOfWhatIsLost) {
   const Strings lost = Asked({"-o", "-", "--format", "inp"}).files.warnings(attributes, {}, {});
   ASSERT_EQ(lost.size(), 1u);
   EXPECT_EQ(lost[0].find("attributes (owner) are not in standard output: "), 0u) << lost[0];
+  Attribute code{"code", true, {"07", "12"}, {1, 2}};
+  const std::string told =
+      "texts (code: 1 = 07, 2 = 12) are not in a.vtu: formats that hold them are .vtm, .vtkhdf, "
+      ".json";
+  EXPECT_EQ(Asked({"-o", "a.vtu"}).files.warnings({code}, {}, {}), Strings{told});
+  for (const char* holding : {"a.json", "a.vtm"})
+    EXPECT_EQ(Asked({"-o", "a.vtu", "-o", holding}).files.warnings({code}, {}, {}), Strings{});
+  EXPECT_EQ(Asked({"-o", "a.vtkhdf"}).files.warnings({code}, {}, {}), Strings{});
+  const Strings neither = Asked({"-o", "a.inp"}).files.warnings({code}, {}, {});
+  ASSERT_EQ(neither.size(), 1u) << "nor are the numbers";
+  EXPECT_EQ(neither[0].find("attributes (code) are"), 0u);
+  code.words.assign(12, "x");
+  EXPECT_NE(Asked({"-o", "a.vtu"}).files.warnings({code}, {}, {})[0].find("10 = x, ...)"),
+            std::string::npos);
   const std::vector<PlaneField::Array> doping{{"Net", {}}};
   EXPECT_EQ(Asked({"-o", "a.vtk", "-o", "b.poly", "-o", "c.svg"}).files.warnings({}, doping, {}),
             Strings{});
@@ -97,6 +112,28 @@ TEST(OutputFiles, WarnsOfWhatIsLost) {
   EXPECT_EQ(some[0].find("names of points (a, b, c, d, e, f, g, h, i, j and 2 more) are"), 0u);
   const Strings idle = Asked({"-o", "a.vtu", "--xdmf", "hdf5"}).files.warnings({}, {}, {});
   EXPECT_EQ(idle, Strings{"--xdmf does nothing: it counts with .xdmf only"});
+}
+
+TEST(OutputFiles, WhatAnEarlierRunLeftBesideTheMeshIsTold) {
+  const testing::TemporaryFolder folder;
+  const std::string stem = folder.path() / "x";
+  const auto left = [](std::initializer_list<std::string> words) {
+    return Asked(words).files.left_beside();
+  };
+  EXPECT_TRUE(left({"-o", stem + ".vtu"}).empty());
+  EXPECT_FALSE(folder.write("x.json", "{\"type\": \"FeatureCollection\"}").empty());
+  EXPECT_TRUE(left({"-o", stem + ".vtu"}).empty()) << "no manifest";
+  const Output output = cover_mesh(testing::checker(2, 2, 1)).value();
+  ASSERT_TRUE(write_manifest(output, stem + ".json"));
+  ASSERT_TRUE(write_vtm(output, stem + ".vtm"));
+  const Strings told = left({"-o", stem + ".vtu", "-o", stem + ".msh", "-o", "-"});
+  ASSERT_EQ(told.size(), 2u) << "once each";
+  EXPECT_EQ(told[0], stem + ".json stays beside " + stem +
+                         ".vtu as an earlier run left it, and is read with it for names: remove "
+                         "it, or write it, too (-o)");
+  EXPECT_TRUE(told[1].starts_with(stem + ".vtm stays")) << told[1];
+  EXPECT_EQ(left({"-o", stem + ".vtkhdf"}).size(), 1u) << "which needs no .vtm";
+  EXPECT_TRUE(left({"-o", stem + ".vtu", "-o", stem + ".json", "-o", stem + ".vtm"}).empty());
 }
 
 TEST(OutputFiles, NamedLinesThatAreLeftOutAreTold) {

@@ -380,6 +380,7 @@ void log_input(const MeshCommand& command, const Input& input, const Options& op
   for (const std::string& warning :
        command.files.warnings(input.attributes, values, periodic_rules(input, options), points))
     log.warn("{}", warning);
+  for (const std::string& left : command.files.left_beside()) log.warn("{}", left);
   log_warnings(log, input.warnings);
 }
 

@@ -37,22 +37,39 @@ std::optional<std::vector<double>> by_region(const std::vector<double>& values,
   return found;
 }
 
-/// Makes text of numbers of words, where all are such numbers.
-void take_words(const ArrayWords& words, Attribute& attribute) {
-  const auto found = words.find(attribute.name);
-  if (found == words.end()) return;
+/// Makes text of numbers of words, where all are such numbers; numbers they stay else.
+void make_text(std::vector<std::string> words, Attribute& attribute) {
   const auto is_word = [&](double value) {
-    return std::isnan(value) || (value >= 0 && value == std::floor(value) &&
-                                 value <= static_cast<double>(found->second.size()));
+    return std::isnan(value) ||
+           (value >= 0 && value == std::floor(value) && value <= static_cast<double>(words.size()));
   };
-  if (!std::all_of(attribute.values.begin(), attribute.values.end(), is_word)) return;
-  attribute.is_text = true;
-  attribute.words = found->second;
+  attribute.is_text = std::all_of(attribute.values.begin(), attribute.values.end(), is_word);
+  if (!attribute.is_text) {
+    attribute.words.clear();
+    return;
+  }
+  attribute.words = std::move(words);
   for (double& value : attribute.values)
     if (std::isnan(value)) value = 0;
 }
 
-/// What arrays that the manifest tells of are called in the file.
+void take_words(const ArrayWords& words, Attribute& attribute) {
+  const auto found = words.find(attribute.name);
+  if (found != words.end()) make_text(found->second, attribute);
+}
+
+/// Numbers of the mesh's own file, and its words where it has some, for an attribute that a file
+/// beside it names.
+void take_own_values(CellArray own, const ArrayWords& words, Attribute& attribute) {
+  attribute.values = std::move(own.values);
+  const auto found = words.find(own.name);
+  if (found != words.end())
+    make_text(found->second, attribute);
+  else if (attribute.is_text)
+    make_text(std::move(attribute.words), attribute);
+}
+
+/// What arrays that a file beside the mesh tells of are called in the mesh's own.
 struct KnownNames {
   std::vector<std::string> attributes, fields;
 };
@@ -83,27 +100,48 @@ std::optional<std::size_t> last_region(const StoredMesh& stored) {
   return found;
 }
 
-/// Arrays of triangles become attributes of regions. Returns the names of those that differ within
-/// a region.
-std::vector<std::string> take_attributes(std::vector<CellArray> of_triangles,
-                                         const std::vector<std::string>& known,
-                                         const ArrayWords& words, StoredMesh& stored) {
+/// Names of attributes that a mesh does not get.
+struct AttributesLost {
+  std::vector<std::string> mixed;     ///< they differ within a region
+  std::vector<std::string> not_held;  ///< the mesh's own file does not have them
+};
+
+/// Arrays of triangles become attributes of regions, or the values of known ones.
+AttributesLost take_attributes(std::vector<CellArray> of_triangles,
+                               const std::vector<std::string>& known, const ArrayWords& words,
+                               bool holds_all, StoredMesh& stored) {
   const std::optional<std::size_t> regions = last_region(stored);
   if (!regions) return {};
-  std::vector<std::string> mixed;
-  std::set<std::string> taken(known.begin(), known.end());
+  AttributesLost lost;
+  std::set<std::string> taken;
+  std::vector<bool> is_held(known.size(), !holds_all);
   for (CellArray& array : of_triangles) {
     if (is_own_array(array.name) || !taken.insert(array.name).second) continue;
     std::optional<std::vector<double>> values = by_region(array.values, stored.soup);
     if (!values) {
-      mixed.push_back(std::move(array.name));
+      lost.mixed.push_back(std::move(array.name));
       continue;
     }
     values->resize(*regions, kNoNumber);
+    const auto k =
+        static_cast<std::size_t>(std::find(known.begin(), known.end(), array.name) - known.begin());
+    if (k < known.size()) {
+      is_held[k] = true;
+      take_own_values({array.name, *std::move(values)}, words, stored.attributes[k]);
+      continue;
+    }
     stored.attributes.push_back({std::move(array.name), false, {}, *std::move(values)});
     take_words(words, stored.attributes.back());
   }
-  return mixed;
+  for (std::size_t k = known.size(); k-- > 0;) {
+    if (is_held[k]) continue;
+    const auto attribute = stored.attributes.begin() + static_cast<std::ptrdiff_t>(k);
+    // One that differs within a region is told as such.
+    if (std::find(lost.mixed.begin(), lost.mixed.end(), known[k]) == lost.mixed.end())
+      lost.not_held.insert(lost.not_held.begin(), attribute->name);
+    stored.attributes.erase(attribute);
+  }
+  return lost;
 }
 
 /// Arrays of points become fields, or the values of known ones. Returns the names of known fields
@@ -148,16 +186,21 @@ std::vector<std::string> take_fields(std::vector<PlaneField::Array> of_points,
 std::vector<std::string> take_arrays(std::vector<CellArray> of_triangles,
                                      std::vector<PlaneField::Array> of_points,
                                      const ArrayWords& words, StoredMesh& stored,
-                                     RegionValues of_regions) {
+                                     bool holds_all_attributes, RegionValues of_regions) {
   const KnownNames known = known_names(stored);
-  const std::vector<std::string> mixed =
-      take_attributes(std::move(of_triangles), known.attributes, words, stored);
+  const AttributesLost attributes = take_attributes(std::move(of_triangles), known.attributes,
+                                                    words, holds_all_attributes, stored);
   const std::vector<std::string> lost =
       take_fields(std::move(of_points), std::move(of_regions), known.fields, stored);
   std::vector<std::string> sentences;
-  if (!mixed.empty())
-    sentences.push_back(fmt::format(
-        "arrays of triangles that differ within a region are left out: {}", listed(mixed)));
+  if (!attributes.mixed.empty())
+    sentences.push_back(
+        fmt::format("arrays of triangles that differ within a region are left out: {}",
+                    listed(attributes.mixed)));
+  if (!attributes.not_held.empty())
+    sentences.push_back(
+        fmt::format("the file does not have the attributes that a file beside it names: {}",
+                    listed(attributes.not_held)));
   if (!lost.empty())
     sentences.push_back(
         fmt::format("the file does not have the values at points that the "

@@ -31,15 +31,18 @@ void sort_arrays(const std::vector<std::string>& names, std::vector<Array>& arra
 }
 
 /// Gives `stored` the arrays of its file that are not our own: those of triangles as attributes of
-/// regions, those of points as fields. What a manifest said of them before counts; of its fields
-/// the values come now. `of_regions` are those of `of_points`, as Output::region_values.
+/// regions, those of points as fields. What a file beside it said of them before names them and
+/// tells their words; the values are those of the mesh's own file, where that holds them.
+/// `holds_all_attributes`: what it does not hold is no attribute of this mesh. `of_regions` are
+/// those of `of_points`, as Output::region_values.
 ///
 /// REQUIRES: the regions of the triangles are known, in the order of the file; arrays fit the mesh
-/// Returns:  a sentence for what is left out: arrays that differ within a region, fields of the
-///           manifest that the file does not have
+/// Returns:  a sentence for what is left out: arrays that differ within a region, attributes and
+///           fields that the file does not have
 std::vector<std::string> take_arrays(std::vector<CellArray> of_triangles,
                                      std::vector<PlaneField::Array> of_points,
                                      const ArrayWords& words, StoredMesh& stored,
+                                     bool holds_all_attributes = false,
                                      RegionValues of_regions = {});
 
 }  // namespace cover

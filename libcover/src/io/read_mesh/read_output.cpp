@@ -1,9 +1,12 @@
 // Triangles come from the mesh; names and lines from the manifest or the .vtm beside it, since most
-// formats cannot hold them all; else what the file itself has is made the best of.
+// formats cannot hold them all; else what the file itself has is made the best of. Where a file
+// beside it contradicts the mesh's own file, as one that an earlier run left, the own one counts.
 // Tested by tests/unit/io/read_mesh/read_output_test.cpp.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
+#include <set>
 #include <utility>
 
 #include <fmt/core.h>
@@ -11,6 +14,7 @@
 #include <cover/read_mesh.hpp>
 #include <cover/stored_mesh.hpp>
 #include <cover/text.hpp>
+#include <cover/write_mesh.hpp>
 
 #include "base/faults/errors.hpp"
 #include "base/faults/out_of_memory.hpp"
@@ -19,6 +23,7 @@
 #include "io/read_mesh/complete_mesh.hpp"
 #include "io/read_mesh/formats/pieces/read_vtm.hpp"
 #include "io/read_mesh/formats/read_vtkhdf_mesh.hpp"
+#include "io/read_mesh/own_names.hpp"
 #include "io/text/text.hpp"
 
 namespace cover {
@@ -66,6 +71,17 @@ void take_run_from_vtm(const std::string& path, StoredMesh& stored) {
   take_points(named, stored);
   stored.provenance = std::move(named.provenance);
   stored.cut_vertices = std::max(stored.cut_vertices, named.cut_vertices);
+}
+
+/// Whether the numbers are 1, 2, ... of which each comes up, as those of words do; 0 is none.
+bool may_number_words(const Attribute& attribute) {
+  std::set<double> numbers;
+  for (const double value : attribute.values)
+    if (!std::isnan(value) && value != 0) numbers.insert(value);
+  return !attribute.is_text && !numbers.empty() && *numbers.begin() == 1 &&
+         *numbers.rbegin() == static_cast<double>(numbers.size()) &&
+         std::all_of(numbers.begin(), numbers.end(),
+                     [](double number) { return number == std::floor(number); });
 }
 
 /// How many points are corners of no triangle.
@@ -154,32 +170,52 @@ class Completion {
           {line.a, line.b, InterfaceId(static_cast<std::uint32_t>(line.group)), line.marker});
     }
     if (!take_materials(stored)) return wrong_file(path_, "it lacks regions");
-    take_curves_and_pairs(stored);
+    const StoredMesh told = take_curves_and_pairs(stored);
     tell(take_arrays(std::move(file.mesh.arrays), std::move(file.mesh.point_arrays), file.words,
                      stored));
+    tell_contradictions(told, ".json", stored);
     sort_by_region(stored.soup);
     return stored;
   }
 
+  /// `told`: by the file of this extension beside the mesh.
+  void tell_contradictions(const StoredMesh& told, const char* extension,
+                           const StoredMesh& stored) {
+    if (const std::string all = contradictions(told, stored); !all.empty())
+      tell({fmt::format("{} contradicts it, and the mesh's own file counts: {}", beside(extension),
+                        all)});
+  }
+
+  /// The names and the attributes of `stored`, to be compared later.
+  static StoredMesh names_in(const StoredMesh& stored) {
+    StoredMesh names;
+    names.regions = stored.regions;
+    names.interfaces = stored.interfaces;
+    names.points = stored.points;
+    names.attributes = stored.attributes;
+    return names;
+  }
+
   /// Arcs and periodic sides from the manifest. The file does not need one: that of another mesh is
-  /// told, and changes nothing.
-  void take_curves_and_pairs(StoredMesh& stored) {
+  /// told, and changes nothing. Returns what it says besides; nothing if it is of another mesh.
+  StoredMesh take_curves_and_pairs(StoredMesh& stored) {
     StoredMesh told;
     told.soup = std::move(stored.soup);
     const std::vector<std::int64_t> material = told.soup.material;
     const Result<bool> named = read_manifest(beside(".json"), {}, told);
     stored.soup = std::move(told.soup);
     stored.soup.material = material;
-    if (named && !*named) return;
+    if (named && !*named) return {};
     if (named && ends_of(told.edges) == ends_of(stored.edges)) {
       stored.arcs = std::move(told.arcs);
       stored.periodic = std::move(told.periodic);
-      return;
+      return told;
     }
     tell({fmt::format("arcs and periodic sides are left out: {}",
                       named ? fmt::format("{}: it is of another mesh", beside(".json"))
                             : named.error().message)});
     has_periodic_points_ = false;
+    return {};
   }
 
   Result<StoredMesh> complete(MeshFile read) {
@@ -194,21 +230,28 @@ class Completion {
     Result<bool> named = read_manifest(beside(".json"), file->group, stored);
     if (!named) return std::move(named).error();
     if (!*named) stored.periodic = std::move(read.periodic);
+    const char* names = *named ? ".json" : nullptr;  // from what the names are
     const bool has_blocks = !*named && fs::is_regular_file(beside(".vtm"));
     if (has_blocks && stored.soup.region.empty()) take_run_from_vtm(beside(".vtm"), stored);
     if (has_blocks && !stored.soup.region.empty()) {
       const Result<bool> taken = take_names_from_vtm(beside(".vtm"), stored);
       if (!taken) return taken.error();
-      if (*taken) {
-        sort_by_region(stored.soup);
-        return stored;
-      }
-      has_other_blocks_ = true;
+      if (*taken) names = ".vtm";
+      has_other_blocks_ = !*taken;
     }
-    if (!*named) {
+    if (names == nullptr) {
       if (Status status = complete_alone(*file, stored); !status) return std::move(status).error();
     }
-    tell(take_arrays(std::move(read.arrays), std::move(read.point_arrays), {}, stored));
+    const StoredMesh told = names == nullptr ? StoredMesh() : names_in(stored);
+    if (names != nullptr) take_own_names(*file, stored);
+    const std::vector<std::string> holding = attribute_formats();
+    const bool holds_all =
+        std::find(holding.begin(), holding.end(), extension_of(path_)) != holding.end();
+    tell(take_arrays(std::move(read.arrays), std::move(read.point_arrays), {}, stored, holds_all));
+    if (names != nullptr)
+      tell_contradictions(told, names, stored);
+    else
+      tell_numbers_of_words(stored.attributes);
     sort_by_region(stored.soup);
     return stored;
   }
@@ -218,12 +261,40 @@ class Completion {
     if (!blocks) return std::move(blocks).error();
     has_periodic_points_ = blocks->has_periodic_points;
     take_bent_edges(blocks->mesh.soup, blocks->middles);
-    const Result<bool> named = read_manifest(beside(".json"), {}, blocks->mesh);
+    StoredMesh told;
+    if (fs::is_regular_file(beside(".json"))) told = blocks->mesh;
+    const Result<bool> named = read_manifest(beside(".json"), {}, told);
     if (!named) return named.error();
+    if (*named) take_manifest(told, *blocks);
     std::vector<std::string> left_out;
     StoredMesh stored = std::move(*blocks).finish(left_out);
     tell(left_out);
+    if (*named) tell_contradictions(told, ".json", stored);
     return stored;
+  }
+
+  /// What blocks do not hold: arcs, periodic sides, and what the input calls attributes and fields;
+  /// all names, where these are those of blocks.
+  static void take_manifest(const StoredMesh& told, VtmMesh& blocks) {
+    if (!blocks.has_names) {
+      blocks.mesh = told;
+      return;
+    }
+    blocks.mesh.arcs = told.arcs;
+    blocks.mesh.periodic = told.periodic;
+    blocks.mesh.attributes = told.attributes;
+    blocks.mesh.fields = told.fields;
+  }
+
+  void tell_numbers_of_words(const std::vector<Attribute>& attributes) {
+    std::vector<std::string> names;
+    for (const Attribute& attribute : attributes)
+      if (may_number_words(attribute)) names.push_back(fmt::format("'{}'", attribute.name));
+    if (!names.empty())
+      tell(
+          {fmt::format("numbers of {} may stand for texts, which a manifest, a .vtm and a .vtkhdf "
+                       "alone hold",
+                       listed(names))});
   }
 
   Status complete_alone(const MeshFile& file, StoredMesh& stored) {

@@ -31,8 +31,8 @@ enum class Files { one, several, one_or_parts, one_or_with_hdf5 };
 struct Format {
   const char* extension;
   Writer write;
-  /// Of regions. Only .vtm, .vtkhdf and .json hold the words of text; others number them.
-  bool attributes = false;
+  bool attributes = false;   ///< of regions
+  bool words = false;        ///< of text among these; else they are numbered
   bool values = false;       ///< at points
   bool periodic = false;     ///< which vertices are images of each other
   bool points = false;       ///< names of points, or groups of them
@@ -57,6 +57,7 @@ constexpr std::array kFormats{
     Format{.extension = ".vtm",
            .write = write_vtm,
            .attributes = true,
+           .words = true,
            .values = true,
            .periodic = true,
            .points = true,
@@ -65,6 +66,7 @@ constexpr std::array kFormats{
     Format{.extension = ".vtkhdf",
            .write = write_vtkhdf,
            .attributes = true,
+           .words = true,
            .values = true,
            .periodic = true,
            .points = true},
@@ -104,6 +106,7 @@ constexpr std::array kFormats{
     Format{.extension = ".json",
            .write = write_manifest,
            .attributes = true,
+           .words = true,
            .periodic = true,
            .points = true,
            .triangles = false},
@@ -233,6 +236,10 @@ std::vector<std::string> write_formats() {
 
 std::vector<std::string> attribute_formats() {
   return formats_with([](const Format& format) { return format.attributes; });
+}
+
+std::vector<std::string> word_formats() {
+  return formats_with([](const Format& format) { return format.words; });
 }
 
 std::vector<std::string> value_formats() {

@@ -52,7 +52,7 @@ TEST(WriteMesh, TellsOfItsFormats) {
   EXPECT_EQ(companions_of("x.node"), std::vector<std::string>{});
   const std::vector<std::string> all = write_formats();
   for (const auto& some :
-       {attribute_formats(), value_formats(), point_formats(), number_formats()}) {
+       {attribute_formats(), word_formats(), value_formats(), point_formats(), number_formats()}) {
     EXPECT_FALSE(some.empty());
     for (const std::string& format : some)
       EXPECT_NE(std::find(all.begin(), all.end(), format), all.end()) << format;

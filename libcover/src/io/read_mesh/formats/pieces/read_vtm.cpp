@@ -353,7 +353,7 @@ class BlockReader {
 }  // namespace
 
 StoredMesh VtmMesh::finish(std::vector<std::string>& notes) && {
-  notes = take_arrays(std::move(of_triangles), std::move(of_points), words, mesh,
+  notes = take_arrays(std::move(of_triangles), std::move(of_points), words, mesh, true,
                       std::move(region_values));
   sort_by_region(mesh.soup);
   return std::move(mesh);
@@ -389,6 +389,7 @@ Result<VtmMesh> read_vtm(const std::string& path) {
   out.region_values = std::move(blocks.region_values);
   out.middles = std::move(blocks.middles);
   out.has_periodic_points = blocks.has_periodic_points;
+  out.has_names = reader.names().has_value();
   if (reader.names()) {
     out.words = words_of(*reader.names());
     sort_arrays(attributes_of(*reader.names()), out.of_triangles);

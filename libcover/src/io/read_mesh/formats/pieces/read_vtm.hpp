@@ -21,6 +21,7 @@ struct VtmMesh {
   RegionValues region_values;  ///< of `of_points`
   ArrayWords words;
   bool has_periodic_points = false;
+  bool has_names = false;  ///< as the input has them; files of old versions have those of blocks
   std::vector<std::array<Point, 3>> middles;  ///< as MeshFile::middles
 
   /// The mesh with its arrays, triangles in their order again; `notes` tell what is left out.
