@@ -22,9 +22,13 @@ bool is_text(const AttributeValue& value) { return std::holds_alternative<std::s
 
 /// Whether it has to be a word.
 bool is_word(const AttributeValue& value) {
-  if (const auto* whole = std::get_if<std::int64_t>(&value))
-    return *whole > kLargestWhole || *whole < -kLargestWhole;
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return !double_holds(*whole);
   return is_text(value) && !number_in_column(std::get<std::string>(value));
+}
+
+/// Whether it is a whole number, but has to be a word.
+bool is_long_number(const AttributeValue& value) {
+  return is_word(value) && (!is_text(value) || number_in_words(std::get<std::string>(value)));
 }
 
 bool is_number(const AttributeValue& value) {
@@ -126,13 +130,26 @@ void AttributeTable::tell_mixed(std::vector<std::string>& warnings) const {
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     const auto& column = columns_[k];
     const auto word = std::find_if(column.begin(), column.end(), [](const AttributeValue& value) {
-      return is_text(value) && is_word(value);
+      return is_word(value) && !is_long_number(value);
     });
     const auto number = std::find_if(column.begin(), column.end(), is_number);
-    if (word == column.end() || number == column.end()) continue;
     const auto feature = [&](auto value) {
       return numbers_[static_cast<std::size_t>(value - column.begin())];
     };
+    if (word == column.end()) {
+      // A column of texts alone is meant to be text.
+      const auto is_told = [&](const AttributeValue& value) {
+        return is_long_number(value) && (!is_text(value) || number != column.end());
+      };
+      const auto found = std::find_if(column.begin(), column.end(), is_told);
+      if (found != column.end())
+        warnings.push_back(fmt::format(
+            "the attribute '{}' of feature {} is {}, a whole number that no double holds: its "
+            "array numbers the different values 1, 2, ...",
+            names_[k], feature(found), word_of(*found)));
+      continue;
+    }
+    if (number == column.end()) continue;
     warnings.push_back(fmt::format(
         "the attribute '{}' is a number in some features, as {} in feature {}, and a word in "
         "others, as '{}' in feature {}: its array numbers the different values 1, 2, ...",

@@ -46,8 +46,8 @@ class AttributeTable {
   /// hold, as the number of a parcel may be; numbers in it are written out. Texts that all spell
   /// numbers are numbers where another feature has one, else they are text: codes are written so.
   [[nodiscard]] std::vector<Attribute> attributes() const;
-  /// Appends a sentence for each column of words and numbers, as one who expects numbers gets those
-  /// of words.
+  /// Appends a sentence for each column of words and numbers, and for each with whole numbers that
+  /// are words, as one who expects numbers gets those of words.
   void tell_mixed(std::vector<std::string>& warnings) const;
 
  private:

@@ -130,14 +130,23 @@ bool make_numbers(Attribute& text) {
 
 /// What AttributeTable makes of texts and numbers in one file.
 void make_alike(Attribute& all, Attribute& more, const std::string& source,
+/// What stands in a column of text that does not spell numbers throughout.
+std::string words_in(const Attribute& text) {
+  const auto word = std::find_if_not(text.words.begin(), text.words.end(), number_in_words);
+  if (word != text.words.end()) return "words";
+  const auto whole = std::find_if_not(text.words.begin(), text.words.end(), number_in_column);
+  return fmt::format("whole numbers that no double holds, as {}", *whole);
+}
+
                 std::vector<std::string>& warnings) {
   Attribute& text = all.is_text ? all : more;
   if (const Attribute& numbers = all.is_text ? more : all; !is_all_nothing(numbers)) {
     if (make_numbers(text)) return;
-    warnings.push_back(fmt::format(
-        "the attribute '{}' of {} has {}, and that of files before it {}: its array "
-        "numbers the different values 1, 2, ...",
-        all.name, source, more.is_text ? "words" : "numbers", more.is_text ? "numbers" : "words"));
+    warnings.push_back(
+        fmt::format("the attribute '{}' of {} has {}, and that of files before it {}: its array "
+                    "numbers the different values 1, 2, ...",
+                    all.name, source, more.is_text ? words_in(text) : "numbers",
+                    more.is_text ? "numbers" : words_in(text)));
   }
   all = as_text(std::move(all));
   more = as_text(std::move(more));

@@ -2,7 +2,9 @@
 #include "io/input/map_words.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 
 #include <fmt/core.h>
 
@@ -103,8 +105,18 @@ std::optional<double> number_in_words(std::string_view text) {
 std::optional<double> number_in_column(std::string_view text) {
   const std::optional<double> number = number_in_words(text);
   const bool is_whole = text.find_first_not_of(" +-0123456789") == std::string_view::npos;
-  const bool is_held = number && std::abs(*number) < static_cast<double>(kLargestWhole);
-  return is_held || !is_whole ? number : std::nullopt;
+  const bool is_short =
+      number && std::abs(*number) < std::ldexp(1, std::numeric_limits<double>::digits);
+  if (!is_whole || is_short) return number;
+  const std::optional<long> whole = parse_integer(text);
+  return whole && double_holds(*whole) ? number : std::nullopt;
+}
+
+bool double_holds(std::int64_t whole) {
+  const auto bits = static_cast<std::uint64_t>(whole);
+  const std::uint64_t size = whole < 0 ? 0 - bits : bits;
+  return size == 0 ||
+         std::bit_width(size) - std::countr_zero(size) <= std::numeric_limits<double>::digits;
 }
 
 void tell_spelled_numbers(const std::vector<Attribute>& attributes,

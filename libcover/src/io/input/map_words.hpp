@@ -72,10 +72,11 @@ void tell_renamed(const std::vector<Attribute>& attributes, std::vector<std::str
 /// The number that a text spells, as tables have it whose columns are all text.
 std::optional<double> number_in_words(std::string_view text);
 
-/// Up to here doubles hold all whole numbers, as the number of a parcel may be.
-inline constexpr std::int64_t kLargestWhole = std::int64_t{1} << 53;
+/// Whether there is a double that is this number: not so of all above 2^53, as the number of a
+/// parcel may be, but of -2^63, which stands for no value.
+bool double_holds(std::int64_t whole);
 
-/// The same of a text in a column that is kept, where long whole numbers are words.
+/// The same of a text in a column that is kept, where whole numbers that no double holds are words.
 std::optional<double> number_in_column(std::string_view text);
 
 /// Appends a sentence for each column that is all text but spells numbers, and no codes such as

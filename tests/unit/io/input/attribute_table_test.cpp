@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,42 @@ TEST(AttributeTable, WholeNumbersThatNoDoubleHoldsAreWords) {
             (std::vector<std::string>{"3", "9007199254740993", "9007199254740994"}));
   EXPECT_FALSE(columns[1].is_text);
   EXPECT_EQ(columns[1].values, (std::vector<double>{3, 0x1p53, 0x1p53}));
+}
+
+TEST(AttributeTable, LongWholeNumbersThatADoubleHoldsAreNumbers) {
+  AttributeTable table({"elev", "spelled"});
+  constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min();  // no value, often
+  for (const std::int64_t value : {std::int64_t{120}, kLeast, -(std::int64_t{1} << 60)}) {
+    table.add_feature(0);
+    table.set(0, value);
+    if (value == 120)
+      table.set(1, value);
+    else
+      table.set(1, std::to_string(value));
+  }
+  for (const Attribute& column : table.attributes()) {
+    EXPECT_FALSE(column.is_text) << column.name;
+    EXPECT_EQ(column.values, (std::vector<double>{120, -0x1p63, -0x1p60}));
+  }
+  std::vector<std::string> warnings;
+  table.tell_mixed(warnings);
+  EXPECT_TRUE(warnings.empty());
+}
+
+TEST(AttributeTable, WholeNumbersThatNoDoubleHoldsAreTold) {
+  AttributeTable table({"parcel", "text"});
+  table.add_feature(7);
+  table.set(0, std::int64_t{5});
+  table.set(1, "5");
+  table.add_feature(8);
+  table.set(0, std::numeric_limits<std::int64_t>::max());
+  table.set(1, "9223372036854775807");
+  std::vector<std::string> warnings;
+  table.tell_mixed(warnings);
+  EXPECT_EQ(warnings,
+            std::vector<std::string>{
+                "the attribute 'parcel' of feature 8 is 9223372036854775807, a whole number that "
+                "no double holds: its array numbers the different values 1, 2, ..."});
 }
 
 TEST(AttributeTable, WithoutColumnsThereAreNoFeatures) {

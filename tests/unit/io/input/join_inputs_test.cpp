@@ -226,6 +226,13 @@ TEST(JoinInputs, WhatNoInputHasIsRefused) {
   EXPECT_TRUE(join_inputs({rivers, parcels}));
   EXPECT_TRUE(join_inputs({parcels, rivers}));
   parcels.asked[0] = {"material_field", "use", false, "the layer 'p' has no attribute 'use'"};
+  one.attributes[0].words = {"9007199254740993"};
+  EXPECT_EQ(joined().warnings,
+            std::vector<std::string>{
+                "the attribute 'K' of y has numbers, and that of files before it whole numbers "
+                "that no double holds, as 9007199254740993: its array numbers the different values "
+                "1, 2, ..."});
+  one.attributes[0].words = {"low"};
   const Result<Input> joined = join_inputs({rivers, parcels, square(2, "c", "z.poly")});
   ASSERT_FALSE(joined);
   EXPECT_EQ(joined.error().code, ErrorCode::bad_option);
