@@ -210,6 +210,7 @@ PyMesh mesh_files(const std::vector<std::string>& paths, py::dict keywords,
                   const py::object& progress) {
   for (const std::string& path : paths) check_path(path);
   auto [options, given] = take_read_options(keywords);
+  options.is_one_of_several = paths.size() > 1;
   if (keywords.contains("threads"))
     options.threads =
         options_from(py::dict(py::arg("threads") = keywords["threads"])).options.threads;

@@ -192,6 +192,14 @@ class Values(unittest.TestCase):
             self.assertEqual(len(both.regions), 3)
             self.assertIn('lake', both.materials.values())
             self.assertEqual(len(cover.mesh_file((a,)).regions), 2)
+            # Fields need be in one of them only.
+            bare = pathlib.Path(folder, 'c.geojson')
+            bare.write_text(self.MAP.replace('"use": "wood", "height": 2.5', '').replace('"use": null', ''))
+            for files in (a, bare), (bare, a):
+                mesh = cover.mesh_file(files, keep_field='height', material_field='use')
+                self.assertIn('wood', mesh.materials.values())
+            with self.assertRaisesRegex(cover.OptionError, 'nowhere'):
+                cover.mesh_file([a, bare], keep_field='nowhere')
             with self.assertRaisesRegex(TypeError, 'no file'):
                 cover.mesh_file([])
 
