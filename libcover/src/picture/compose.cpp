@@ -298,8 +298,13 @@ class Composer {
     for (int i = 0; i < kSteps; ++i) {
       patches[static_cast<std::size_t>(i)].colour = value_colour(i / (kSteps - 1.0));
     }
+    PaintedPatch without{kNoValueColour, true, {}};
     for (const std::size_t t : visible_) {
       const double value = (*values)[t];
+      if (std::isnan(value)) {
+        add_triangle(t, without.triangles);
+        continue;
+      }
       const double part = part_of(value, low, high);
       add_triangle(t,
                    patches[static_cast<std::size_t>(std::lround(part * (kSteps - 1)))].triangles);
@@ -307,7 +312,9 @@ class Composer {
     for (PaintedPatch& patch : patches) {
       if (!patch.triangles.empty()) add(std::move(patch));
     }
-    if (has_key()) draw_colour_bar(options_.color, low, high, drawing_);
+    const bool has_gaps = !without.triangles.empty();
+    if (has_gaps) add(std::move(without));
+    if (has_key()) draw_colour_bar(options_.color, low, high, has_gaps, drawing_);
     return ok();
   }
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "base/numbers.hpp"
 #include "geom/vector.hpp"
 #include "picture/parts/triangle_angles.hpp"
 
@@ -33,12 +34,14 @@ std::vector<std::array<Point, 3>> middles_of(const Output& output, const Triangl
   return middles;
 }
 
-/// What each triangle has of an attribute of its region; of words, their numbers.
+/// What each triangle has of an attribute of its region; of words, their numbers. None: NaN.
 CellArray by_triangle(const Attribute& attribute, const TriangleSoup& soup) {
   CellArray array{attribute.name, {}};
   array.values.reserve(soup.triangles.size());
-  for (const std::int64_t region : soup.region)
-    array.values.push_back(attribute.values[static_cast<std::size_t>(region) - 1]);
+  for (const std::int64_t region : soup.region) {
+    const double value = attribute.values[static_cast<std::size_t>(region) - 1];
+    array.values.push_back(attribute.is_text && value == 0 ? kNoNumber : value);
+  }
   return array;
 }
 

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/numbers.hpp"
 #include "io/images/raster.hpp"
 #include "io/text/text.hpp"
 #include "picture/compose.hpp"
@@ -348,6 +349,31 @@ TEST(Picture, ValuesMayBeMissingOrFarApart) {
   const Result<std::string> svg = svg_text(mesh, options);
   ASSERT_TRUE(svg) << svg.error().message;
   EXPECT_EQ(count(*svg, "nan") + count(*svg, "inf"), 0U);
+}
+
+TEST(Picture, WhatHasNoValueIsGrey) {
+  PictureMesh mesh = two_squares();
+  PictureOptions options;
+  options.color = "load";
+  options.edges = false;
+  options.worst = 0;
+  const Result<std::string> whole = svg_text(mesh, options);
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(count(*whole, "no value"), 0U);
+  mesh.mesh.arrays[0].values = {kNoNumber, kNoNumber, 2, 3};
+  for (const bool has_range : {false, true}) {
+    if (has_range) options.range = {2, 3};
+    const Result<std::string> svg = svg_text(mesh, options);
+    ASSERT_TRUE(svg) << svg.error().message;
+    EXPECT_EQ(count(*svg, ">no value<"), 1U);
+    const Result<Drawing> drawing = compose(mesh, options);
+    ASSERT_TRUE(drawing);
+    const Image image = paint(*drawing);
+    const PixelBox& plot = drawing->plot;
+    const double middle = (plot.y0 + plot.y1) / 2;
+    EXPECT_EQ(at(image, plot.x0 + 0.25 * (plot.x1 - plot.x0), middle - 7), kNoValueColour);
+    EXPECT_NE(at(image, plot.x0 + 0.75 * (plot.x1 - plot.x0), middle - 7), kNoValueColour);
+  }
 }
 
 }  // namespace

@@ -31,6 +31,15 @@ PaintedPatch rectangle(const PixelBox& b, Colour colour) {
            {Point{b.x0, b.y0}, Point{b.x1, b.y1}, Point{b.x0, b.y1}}}};
 }
 
+void draw_row(const Legend::Row& row, double x, double y, Drawing& drawing) {
+  const PixelBox swatch{x, y, x + 18, y + 16};
+  drawing.items.emplace_back(rectangle(swatch, row.colour));
+  Stroke border{kInk, 0.8, 1, false, {}};
+  add_outline(swatch, border);
+  drawing.items.emplace_back(std::move(border));
+  drawing.items.emplace_back(Label{shortened(row.text, kKeyWidth - 26), {x + 26, y + 13}, kText});
+}
+
 }  // namespace
 
 std::vector<Legend::Row> Legend::grouped_by(std::string Entry::*key) const {
@@ -67,19 +76,15 @@ void draw_legend(const Legend& legend, Drawing& drawing) {
           Label{fmt::format("and {} more", rows.size() - i), {x, y + 13}, kText});
       break;
     }
-    const PixelBox swatch{x, y, x + 18, y + 16};
-    drawing.items.emplace_back(rectangle(swatch, rows[i].colour));
-    Stroke border{kInk, 0.8, 1, false, {}};
-    add_outline(swatch, border);
-    drawing.items.emplace_back(std::move(border));
-    drawing.items.emplace_back(
-        Label{shortened(rows[i].text, kKeyWidth - 26), {x + 26, y + 13}, kText});
+    draw_row(rows[i], x, y, drawing);
   }
 }
 
-void draw_colour_bar(const std::string& title, double low, double high, Drawing& drawing) {
+void draw_colour_bar(const std::string& title, double low, double high, bool has_gaps,
+                     Drawing& drawing) {
   const double x = drawing.plot.x1 + kMargin, top = drawing.plot.y0 + 34;
-  const double height = std::min(260.0, drawing.plot.y1 - top - 10);
+  const double height = std::min(260.0, drawing.plot.y1 - top - 10 - (has_gaps ? kRow + 8 : 0));
+  if (has_gaps) draw_row({kNoValueColour, "no value"}, x, top + height + 16, drawing);
   Label head{shortened(title, kKeyWidth), {x, drawing.plot.y0 + 14}, kText};
   head.bold = true;
   drawing.items.emplace_back(std::move(head));

@@ -42,7 +42,9 @@ class Legend {
 /// Draws the rows beside the plot, as many as there is room for.
 void draw_legend(const Legend& legend, Drawing& drawing);
 
-/// Draws value_colour() from `low` to `high` beside the plot, with ticks.
-void draw_colour_bar(const std::string& title, double low, double high, Drawing& drawing);
+/// Draws value_colour() from `low` to `high` beside the plot, with ticks, and below it, where the
+/// picture `has_gaps`, the colour of what has no value.
+void draw_colour_bar(const std::string& title, double low, double high, bool has_gaps,
+                     Drawing& drawing);
 
 }  // namespace cover

@@ -60,7 +60,8 @@ Colour contact_colour(std::size_t n) {
 }
 
 double part_of(double value, double low, double high) {
-  if (!(high > low) || !std::isfinite(value)) return 0;
+  if (!(high > low)) return 0;
+  if (std::isinf(value)) return value > 0 ? 1 : 0;
   // Halves where no double is as large as the range.
   const double scale = std::isfinite(high - low) && std::isfinite(value - low) ? 1 : 0.5;
   return std::clamp((scale * value - scale * low) / (scale * high - scale * low), 0.0, 1.0);

@@ -16,10 +16,14 @@ Colour shade(Colour colour, std::size_t variant);
 /// Dark, saturated: the n-th contact.
 Colour contact_colour(std::size_t n);
 
-/// How far `value` is on the way from `low` to `high`, from 0 to 1; 0 where it is no number.
+/// How far `value` is on the way from `low` to `high`, from 0 to 1.
+/// REQUIRES: it is a number
 double part_of(double value, double low, double high);
 
 /// Perceptually even, dark blue (0) to yellow (1).
 Colour value_colour(double t);
+
+/// Grey, which no value has: for none.
+inline constexpr Colour kNoValueColour{200, 200, 200};
 
 }  // namespace cover
