@@ -376,7 +376,10 @@ class Values(Case):
         self.run_cover('mesh', 'm.geojson', '-o', 'plain.vtu')
         self.assertEqual(self.arrays('plain.vtu', 'Points', 'Points'), self.arrays('m.vtu', 'Points', 'Points'))
         for name in ('m.vtu', 'm.vtm', 'm.vtkhdf', 'm.msh', 'n.msh', 'm.xdmf'):
-            self.run_cover('check', 'm.geojson', name)
+            self.assertNotIn('Not checked: attributes', self.run_cover('check', 'm.geojson', name)[0])
+        for stream in 'on', 'off':
+            told = self.run_cover('check', 'm.geojson', *self.KEEP, 'm.vtu', '--stream', stream)[0]
+            self.assertIn('\nNot checked: attributes (use, height, fid)\n', told)
 
     def test_values_of_merged_polygons_are_told(self):
         text = (self.dir / 'm.geojson').read_text()
@@ -432,9 +435,6 @@ class Values(Case):
         self.assertNotIn('attributes', self.run_cover('mesh', 'm.geojson', '-o', 'm.vtk')[1])
         self.assertIn('attributes (', self.run_cover('convert', 'm.vtkhdf', '-o', 'n.mesh')[1])
 
-    def test_a_map_may_be_named_json(self):
-        self.write('n.json', (self.dir / 'm.geojson').read_text())
-        chosen = ('--material-field', 'use', '--name-field', 'fid', '--keep-field', 'height')
     def test_texts_that_no_file_holds_are_told(self):
         table = 'texts (use: 1 = Wald, 2 = Äcker & "Wiese") are not in {}: formats that hold them are .vtm, .vtkhdf, .json'
         for name in 'a.vtu', 'a.msh', 'a.pvtu', 'a.xdmf':
@@ -457,6 +457,9 @@ class Values(Case):
         self.assertIn("a.vtu: a.json contradicts it, and the mesh's own file counts: 'fid' of region 1 is 77, not 40", told)
         self.assertEqual(self.arrays('b.vtu', 'CellData', 'fid'), now)
 
+    def test_a_map_may_be_named_json(self):
+        self.write('n.json', (self.dir / 'm.geojson').read_text())
+        chosen = ('--material-field', 'use', '--name-field', 'fid', '--keep-field', 'height')
         told = self.run_cover('mesh', 'n.json', '--material-field', 'use', '--keep-field', 'height', '-o', 'o.vtu', '-o', 'o.json')[1]
         self.assertNotIn('does nothing', told)
         manifest = json.loads((self.dir / 'o.json').read_text())

@@ -13,6 +13,7 @@
 #include <spdlog/logger.h>
 #include <CLI/CLI.hpp>
 
+#include <cover/attribute.hpp>
 #include <cover/check_in_parts.hpp>
 #include <cover/cover_mesh.hpp>
 #include <cover/files.hpp>
@@ -191,6 +192,14 @@ int print_lines(const NamedLines& lines) {
   return lines.wrong.empty() ? exit_ok : exit_unmet;
 }
 
+/// `lines`, and that what the input says of its regions beside their names was not looked at.
+NamedLines with_attributes(NamedLines lines, const RegionTable& table) {
+  std::vector<std::string> names;
+  for (const Attribute& attribute : table.attributes) names.push_back(printable(attribute.name));
+  if (!names.empty()) lines.unchecked.push_back(fmt::format("attributes ({})", listed(names)));
+  return lines;
+}
+
 /// What holds, and what was not looked at: the last words of a check that ends with `code`.
 void print_summary(const CheckCommand& command, const Verification& found, std::size_t triangles,
                    const NamedLines& lines, int code) {
@@ -236,8 +245,11 @@ std::optional<int> check_parts(CheckCommand& command, const MeshSource& source,
   if (parts) {
     const int code = print_promises(parts->found);
     if (!command.verbosity.quiet)
-      print_summary(command, parts->found, parts->triangles,
-                    lines_not_checked(subject.prepared.pslg, subject.prepared.table), code);
+      print_summary(
+          command, parts->found, parts->triangles,
+          with_attributes(lines_not_checked(subject.prepared.pslg, subject.prepared.table),
+                          subject.prepared.table),
+          code);
     return code;
   }
   log.info("{} is read as a whole, to say more", source.name());
@@ -375,7 +387,7 @@ int check_whole(const CheckCommand& command, const std::string& mesh_path,
   const bool needs_pieces = !subject.periodic.empty() || !command.layers.empty() ||
                             command.box_method || has_named_lines(prepared.pslg, prepared.table);
   const CutInput cut = needs_pieces ? cut_as(prepared, mesh.soup) : CutInput{};
-  const NamedLines lines = check_named_lines(cut, mesh);
+  const NamedLines lines = with_attributes(check_named_lines(cut, mesh), prepared.table);
   code = first_failure(code, print_lines(lines));
   if (!is_run_told && (!lines.wrong.empty() || has_wrong_material(found)))
     fmt::print("{}", repeat_text(missing_of_run(command, origin)));
