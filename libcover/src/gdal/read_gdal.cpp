@@ -49,6 +49,7 @@ struct FeatureWords {
   std::string name;
   std::optional<double> priority;
   std::optional<double> size;
+  bool is_void = false;  ///< by the word that drawings have for it
 };
 
 class MapReader {
@@ -285,6 +286,7 @@ class MapReader {
     FeatureWords words;
     words.material = text_of(feature, material_);
     words.name = text_of(feature, name_);
+    words.is_void = is_word_for_void(words.material);
     if (has(feature, priority_)) words.priority = number_of(feature, priority_);
     if (has(feature, priority_) && !words.priority)
       fail(ErrorCode::syntax,
@@ -377,6 +379,7 @@ class MapReader {
     if (gdal_.OGR_G_IsEmpty(polygon) != 0) return;
     attributes_.add_shape(feature_, FeatureShape::area);
     InputPolygon out;
+    if (words_.is_void) left_out_.add_void();
     for (OGRGeometryH ring : parts_of(polygon)) out.rings.push_back(points_of(ring));
     out.material = words_.material;
     out.region = words_.name;

@@ -30,6 +30,11 @@ void LeftOut::tell(std::string_view what, Input& input) const {
                         : fmt::format("{} geometries are surfaces in space: left out", surfaces_),
          {},
          {}});
+  if (voids_ > 0)
+    warnings.push_back(fmt::format(
+        "in a map 'void' is a material like others, here of {}: what is to be left out has to be "
+        "an inner ring of what is around it",
+        counted(voids_, "polygon")));
   if (sizes_ > 0)
     warnings.push_back(fmt::format(
         "the {} 'size' of {} is no length above 0: left out{}{}", what, counted(sizes_, "feature"),
@@ -43,6 +48,8 @@ void LeftOut::tell(std::string_view what, Input& input) const {
     warnings.push_back(fmt::format("the {} 'size' of {} is left out: it is one of areas", what,
                                    counted(sizes_of_points_, "point")));
 }
+
+bool is_word_for_void(std::string_view material) { return lower(material) == "void"; }
 
 void AskedNames::note(const std::string& option, const std::string& name, bool is_there,
                       const std::string& missing) {
@@ -102,6 +109,13 @@ std::optional<double> number_in_words(std::string_view text) {
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
+bool double_holds(std::int64_t whole) {
+  const auto bits = static_cast<std::uint64_t>(whole);
+  const std::uint64_t size = whole < 0 ? 0 - bits : bits;
+  return size == 0 ||
+         std::bit_width(size) - std::countr_zero(size) <= std::numeric_limits<double>::digits;
+}
+
 std::optional<double> number_in_column(std::string_view text) {
   const std::optional<double> number = number_in_words(text);
   const bool is_whole = text.find_first_not_of(" +-0123456789") == std::string_view::npos;
@@ -110,13 +124,6 @@ std::optional<double> number_in_column(std::string_view text) {
   if (!is_whole || is_short) return number;
   const std::optional<long> whole = parse_integer(text);
   return whole && double_holds(*whole) ? number : std::nullopt;
-}
-
-bool double_holds(std::int64_t whole) {
-  const auto bits = static_cast<std::uint64_t>(whole);
-  const std::uint64_t size = whole < 0 ? 0 - bits : bits;
-  return size == 0 ||
-         std::bit_width(size) - std::countr_zero(size) <= std::numeric_limits<double>::digits;
 }
 
 void tell_spelled_numbers(const std::vector<Attribute>& attributes,

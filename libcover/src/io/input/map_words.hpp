@@ -29,6 +29,8 @@ inline constexpr const char* kMayBeDegrees =
 class LeftOut {
  public:
   void add_surface() { ++surfaces_; }
+  /// A polygon whose material is called as drawings call none.
+  void add_void() { ++voids_; }
   /// A wished edge length that is none, in the feature of that number.
   void add_size(long feature);
   /// A wished edge length of a feature that has a line.
@@ -41,9 +43,12 @@ class LeftOut {
   void tell(std::string_view what, Input& input) const;
 
  private:
-  std::size_t surfaces_ = 0, sizes_ = 0, sizes_of_lines_ = 0, sizes_of_points_ = 0;
+  std::size_t surfaces_ = 0, voids_ = 0, sizes_ = 0, sizes_of_lines_ = 0, sizes_of_points_ = 0;
   long first_size_ = 0;
 };
+
+/// Whether a material is called as drawings and legends of pictures call the void.
+bool is_word_for_void(std::string_view material);
 
 /// Fields and layers that options name. What is in any part of a map is there: rivers have no land
 /// use.

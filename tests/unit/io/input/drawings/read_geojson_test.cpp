@@ -131,6 +131,31 @@ TEST(ReadGeojson, NumbersMayBeWrittenAsText) {
   EXPECT_EQ(input->warnings, std::vector<std::string>{});
 }
 
+TEST(ReadGeojson, AMaterialCalledVoidIsTold) {
+  const auto feature = [](const std::string& material) {
+    return R"({"type": "Feature", "properties": {"material": ")" + material + R"("}, "geometry":
+      {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]}})";
+  };
+  const Result<Input> input =
+      parse_geojson(R"({"type": "FeatureCollection", "crs": null, "features": [)" +
+                        feature("Void") + "," + feature("voids") + "]}",
+                    "map.geojson");
+  ASSERT_TRUE(input.has_value()) << input.error().message;
+  EXPECT_EQ(input->polygons.size(), 2u);
+  EXPECT_EQ(input->warnings,
+            std::vector<std::string>{"in a map 'void' is a material like others, here of 1 "
+                                     "polygon: what is to be left out has to be an inner ring of "
+                                     "what is around it"});
+}
+
+TEST(ReadGeojson, OneOfSeveralMayBeEmpty) {
+  const char* const text = R"({"type": "FeatureCollection", "features": []})";
+  EXPECT_FALSE(parse_geojson(text, "map.geojson"));
+  ReadOptions options;
+  options.is_one_of_several = true;
+  EXPECT_TRUE(parse_geojson(text, "map.geojson", options));
+}
+
 TEST(ReadGeojson, ASizeOfALineIsTold) {
   const Result<Input> input = parse_geojson(
       R"({"type": "Feature", "crs": null, "properties": {"size": 1}, "geometry":
