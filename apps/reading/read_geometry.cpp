@@ -110,7 +110,12 @@ Result<Input> read_geometry(const std::string& path, const ReadOptions& options,
   const bool is_chosen = !options.crs.empty() || !options.layers.empty();
   if (is_map(format) || (format == ".geojson" && is_chosen)) return read_gdal(path, options);
 #endif
-  return with_all_formats(read_input(path, options), format, path, formats_elsewhere());
+  Result<Input> input =
+      with_all_formats(read_input(path, options), format, path, formats_elsewhere());
+#ifdef COVER_WITH_GDAL
+  if (input && format == ".geojson" && options.unit.empty()) describe_system(*input);
+#endif
+  return input;
 }
 
 Result<Input> parse_geometry(std::string_view text, const std::string& source,

@@ -77,6 +77,22 @@ class Layouts(Case):
         error = self.run_cover('info', 'a.geojson', '--chord-angle', '10')[1]
         self.assertIn('--chord-angle does nothing: it counts with drawings, layouts and maps with curves only', error)
 
+    def test_maps_in_geojson_have_the_unit_of_their_system(self):
+        if '.gpkg' not in self.run_cover('info', '--help')[0]:
+            self.skipTest('without GDAL, which knows systems')
+
+        def drawn(name, system, x):
+            self.write(name, '{"type": "Feature", "properties": {"name": "a"}, "crs": {"type": "name", "properties": {"name": "%s"}}, '
+                       '"geometry": {"type": "Polygon", "coordinates": [[[%d, 0], [%d, 0], [%d, 1000]]]}}' % (system, x, x + 1000, x))
+            return self.run_cover('info', name)
+        self.assertIn('lengths in m\n', drawn('a.geojson', 'urn:ogc:def:crs:EPSG::25832', 1000)[0])
+        self.assertNotIn('lengths in', drawn('f.geojson', 'EPSG:2263', 1000)[0])  # feet
+        out, told = drawn('b.geojson', 'EPSG:999999', 3000)
+        self.assertNotIn('lengths in', out)
+        self.assertIn('PROJ does not know the system of its coordinates, EPSG:999999', told)
+        told = self.run_cover('info', 'a.geojson', 'b.geojson', code=2)[1]
+        self.assertNotIn('EPSG:999999', told.partition('ogr2ogr')[2])
+
     def test_options_that_count_for_one_of_several_files_do_something(self):
         self.write('a.geojson', '{"type": "Feature", "crs": null, "properties": {}, "geometry": {"type": "Polygon", "coordinates": '
                                 '[[[0, 0], [1, 0], [0, 1], [0, 0]]]}}')

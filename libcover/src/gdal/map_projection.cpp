@@ -71,7 +71,24 @@ bool is_elsewhere(const std::string& wanted) {
          wanted.starts_with("DICT:") || std::filesystem::exists(wanted, ignored);
 }
 
+/// What PROJ knows under a name; nullptr: nothing.
+Reference system_named(const std::string& name) {
+  const GdalLibrary& gdal = opened_gdal();
+  Reference system(gdal.OSRNewSpatialReference(nullptr));
+  if (is_elsewhere(name) || gdal.OSRSetFromUserInput(system.get(), name.c_str()) != OGRERR_NONE)
+    system.reset();
+  return system;
+}
+
 }  // namespace
+
+std::optional<MapProjection> projection_of(const std::string& name) {
+  const Reference system = system_named(name);
+  if (!system) return std::nullopt;
+  MapProjection projection;
+  describe_result(system.get(), projection);
+  return projection;
+}
 
 Result<MapProjection> projection_of(OGRSpatialReferenceH system, const std::string& wanted) {
   const GdalLibrary& gdal = opened_gdal();
@@ -80,9 +97,8 @@ Result<MapProjection> projection_of(OGRSpatialReferenceH system, const std::stri
     if (system != nullptr) describe_result(system, projection);
     return projection;
   }
-  const Reference to(gdal.OSRNewSpatialReference(nullptr));
-  if (is_elsewhere(wanted) || gdal.OSRSetFromUserInput(to.get(), wanted.c_str()) != OGRERR_NONE)
-    return bad_option(fmt::format("crs: PROJ does not know '{}'; as EPSG:25832", wanted));
+  const Reference to = system_named(wanted);
+  if (!to) return bad_option(fmt::format("crs: PROJ does not know '{}'; as EPSG:25832", wanted));
   if (system == nullptr)
     return bad_option("crs: the layer does not say in which system its coordinates are");
   const Reference from(gdal.OSRClone(system));

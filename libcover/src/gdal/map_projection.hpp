@@ -1,6 +1,7 @@
 // From the coordinates of a map's layer to those of a plane.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <cover/result.hpp>
@@ -25,5 +26,10 @@ struct MapProjection {
 ///
 /// Errors: bad_option, where PROJ does not know `wanted` or the layer does not say what it has
 Result<MapProjection> projection_of(OGRSpatialReferenceH system, const std::string& wanted);
+
+/// The same of a system that is known by its name alone, coordinates taken as they are; nothing
+/// where PROJ does not know it.
+/// REQUIRES: an open GDAL
+std::optional<MapProjection> projection_of(const std::string& name);
 
 }  // namespace cover

@@ -71,7 +71,8 @@ class MapReader {
     }
     note_beside_areas();
     if (!error_) error_ = asked_.settle(options_, input_);
-    if (!error_ && input_.polygons.empty() && input_.lines.empty() && input_.points.empty())
+    if (!error_ && !options_.is_one_of_several && input_.polygons.empty() && input_.lines.empty() &&
+        input_.points.empty())
       fail(ErrorCode::syntax, "no polygon, line or point in it");
     if (error_) return *std::move(error_);
     tell();
@@ -285,8 +286,8 @@ class MapReader {
   FeatureWords words_of(OGRFeatureH feature) {
     FeatureWords words;
     words.material = text_of(feature, material_);
-    words.name = text_of(feature, name_);
     words.is_void = is_word_for_void(words.material);
+    words.name = text_of(feature, name_);
     if (has(feature, priority_)) words.priority = number_of(feature, priority_);
     if (has(feature, priority_) && !words.priority)
       fail(ErrorCode::syntax,
@@ -378,8 +379,8 @@ class MapReader {
   void add_polygon(OGRGeometryH polygon) {
     if (gdal_.OGR_G_IsEmpty(polygon) != 0) return;
     attributes_.add_shape(feature_, FeatureShape::area);
-    InputPolygon out;
     if (words_.is_void) left_out_.add_void();
+    InputPolygon out;
     for (OGRGeometryH ring : parts_of(polygon)) out.rings.push_back(points_of(ring));
     out.material = words_.material;
     out.region = words_.name;
@@ -453,6 +454,23 @@ class MapReader {
 bool is_map(std::string_view extension) {
   constexpr std::array<std::string_view, 5> kMaps{".shp", ".gpkg", ".fgb", ".gml", ".kml"};
   return std::find(kMaps.begin(), kMaps.end(), extension) != kMaps.end();
+}
+
+void describe_system(Input& input) {
+  // Names that are no numbers of a registry may be anything.
+  if (!input.unit.empty() || input.scale != 1 || !input.system.starts_with("EPSG:") ||
+      input.system == kLongitudeLatitude || !gdal_library())
+    return;
+  const QuietGdal quiet;
+  if (const auto known = projection_of(input.system)) {
+    input.unit = known->unit;
+    return;
+  }
+  // A PROJ without its table knows none.
+  if (quiet.failure().find("proj.db") != std::string::npos) return;
+  input.warnings.push_back(
+      fmt::format("PROJ does not know the system of its coordinates, {}", input.system));
+  input.system.insert(0, kUnknownSystem);
 }
 
 Result<Input> read_gdal(const std::string& path, const ReadOptions& options) {

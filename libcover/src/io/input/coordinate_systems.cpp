@@ -80,7 +80,8 @@ std::string advice(const Input& one, const Input& other) {
   const Input& to = takes_other ? other : one;
   const Input& from = takes_other ? one : other;
   const std::string system = is_numbered(to.system) ? to.system : "EPSG:...";
-  const std::string said = !from.system.empty()  ? std::string()
+  const bool is_known = !from.system.empty() && !from.system.starts_with(kUnknownSystem);
+  const std::string said = is_known              ? std::string()
                            : is_of_degrees(from) ? fmt::format("-s_srs {} ", kLongitudeLatitude)
                                                  : std::string("-s_srs EPSG:... ");
   return fmt::format(

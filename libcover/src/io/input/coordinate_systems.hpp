@@ -16,6 +16,10 @@ namespace cover {
 /// Longitudes and latitudes.
 inline constexpr const char* kLongitudeLatitude = "EPSG:4326";
 
+/// Before the number of a system that no registry has, in Input::system: nothing is projected from
+/// it or to it.
+inline constexpr const char* kUnknownSystem = "unknown system ";
+
 /// What Input::system is for a system that a file calls `name`: "EPSG:25832" for
 /// "urn:ogc:def:crs:EPSG::25832" and its like, "EPSG:4326" also for CRS84 of OGC, as the longitude
 /// comes first in every file; other names stay.

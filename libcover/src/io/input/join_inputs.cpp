@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -20,6 +21,7 @@
 #include "base/numbers.hpp"
 #include "base/words/and_more.hpp"
 #include "base/words/characters.hpp"
+#include "io/input/attribute_table.hpp"
 #include "io/input/coordinate_systems.hpp"
 #include "io/input/map_words.hpp"
 
@@ -128,8 +130,6 @@ bool make_numbers(Attribute& text) {
   return true;
 }
 
-/// What AttributeTable makes of texts and numbers in one file.
-void make_alike(Attribute& all, Attribute& more, const std::string& source,
 /// What stands in a column of text that does not spell numbers throughout.
 std::string words_in(const Attribute& text) {
   const auto word = std::find_if_not(text.words.begin(), text.words.end(), number_in_words);
@@ -138,6 +138,8 @@ std::string words_in(const Attribute& text) {
   return fmt::format("whole numbers that no double holds, as {}", *whole);
 }
 
+/// What AttributeTable makes of texts and numbers in one file.
+void make_alike(Attribute& all, Attribute& more, const std::string& source,
                 std::vector<std::string>& warnings) {
   Attribute& text = all.is_text ? all : more;
   if (const Attribute& numbers = all.is_text ? more : all; !is_all_nothing(numbers)) {
@@ -166,6 +168,25 @@ void append_rows(Attribute& all, Attribute more, const std::string& source,
   append(all.values, std::move(more.values));
 }
 
+/// Tells where features of several files have one number.
+void tell_equal_ids(const Attribute& all, const Attribute& more, const std::string& source,
+                    std::vector<std::string>& warnings) {
+  std::set<double> known;
+  for (const double value : all.values)
+    if (!std::isnan(value)) known.insert(value);
+  const auto twice = std::find_if(more.values.begin(), more.values.end(), [&](double value) {
+    return !std::isnan(value) && known.contains(value);
+  });
+  if (twice == more.values.end() || all.is_text || more.is_text) return;
+  constexpr std::string_view kSentence = "each file numbers its features anew";
+  const bool is_told = std::any_of(warnings.begin(), warnings.end(), [&](const std::string& told) {
+    return told.ends_with(kSentence);
+  });
+  if (!is_told)
+    warnings.push_back(fmt::format("'{}' is {} in {} and in a file before it: {}", kFeatureId,
+                                   *twice, source, kSentence));
+}
+
 /// One table: columns of one name are one.
 void join_attributes(Input& all, Input& more) {
   if (more.attributes.empty()) return;
@@ -177,6 +198,7 @@ void join_attributes(Input& all, Input& more) {
     const auto same = std::find_if(all.attributes.begin(), all.attributes.end(),
                                    [&](const Attribute& a) { return a.name == attribute.name; });
     if (same != all.attributes.end()) {
+      if (attribute.name == kFeatureId) tell_equal_ids(*same, attribute, more.source, all.warnings);
       append_rows(*same, std::move(attribute), more.source, all.warnings);
     } else {
       attribute.values.insert(attribute.values.begin(), before, nothing_of(attribute));
@@ -258,6 +280,26 @@ Status join(Input& all, Input more, std::size_t file) {
   return ok();
 }
 
+bool is_empty(const Input& input) {
+  return input.points.empty() && input.segments.empty() && input.polygons.empty() &&
+         input.lines.empty() && input.seeds.empty() && input.holes.empty() &&
+         input.circles.empty() && input.periodic.empty() && input.layers.empty() && !input.field;
+}
+
+/// Leaves out what holds nothing, as some tiles of a map do: it would not even have a coordinate
+/// system. Appends a sentence on each to `warnings`.
+///
+/// Errors: syntax, where none is left
+Status drop_empty(std::vector<Input>& inputs, std::vector<std::string>& warnings) {
+  constexpr const char* kEmpty = "no polygon, line or point in it";
+  for (const Input& input : inputs)
+    if (is_empty(input)) warnings.push_back(fmt::format("{}: {}", input.source, kEmpty));
+  if (warnings.size() == inputs.size())
+    return Error{ErrorCode::syntax, listed(warnings, "; "), {}, {}};
+  std::erase_if(inputs, is_empty);
+  return ok();
+}
+
 /// The error where no input has a field or a layer that was asked of all.
 std::optional<Error> find_missing(const std::vector<Input>& inputs) {
   constexpr std::size_t kTold = 3;
@@ -291,10 +333,12 @@ Result<Input> join_inputs(std::vector<Input> inputs) {
   for (std::size_t k = 0; k < inputs.size() && inputs.size() > 1; ++k)  // sentences name both
     if (inputs[k].source.empty()) inputs[k].source = fmt::format("input {}", k + 1);
   std::vector<std::string> warnings;
+  const bool is_joined = inputs.size() > 1;
+  if (is_joined)
+    if (Status status = drop_empty(inputs, warnings); !status) return std::move(status).error();
   if (Status status = check_systems(inputs, warnings); !status) return std::move(status).error();
   if (std::optional<Error> missing = find_missing(inputs)) return *std::move(missing);
   share_units(inputs);
-  const bool is_joined = inputs.size() > 1;
   std::string source = inputs.front().source;
   for (std::size_t k = 1; k < inputs.size() && k < kNamed; ++k) source += ", " + inputs[k].source;
   source += and_more(inputs.size(), kNamed);

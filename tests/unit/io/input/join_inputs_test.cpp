@@ -48,6 +48,41 @@ TEST(JoinInputs, InputsWithoutASourceAreNumbered) {
   EXPECT_EQ(join_inputs({one})->source, "");
 }
 
+TEST(JoinInputs, WhatIsEmptyIsLeftOut) {
+  Input full = square(0, "a", "x.geojson"), empty, other;
+  full.system = "EPSG:25832";
+  full.unit = "m";
+  empty.source = "e.geojson";
+  other.source = "f.gpkg";
+  for (const auto& inputs : {std::vector{full, empty}, std::vector{empty, full}}) {
+    const Result<Input> joined = join_inputs(inputs);
+    ASSERT_TRUE(joined) << joined.error().message;
+    EXPECT_EQ(joined->source, "x.geojson");
+    EXPECT_EQ(joined->unit, "m");
+    EXPECT_EQ(joined->warnings,
+              std::vector<std::string>{"e.geojson: no polygon, line or point in it"});
+  }
+  const Result<Input> nothing = join_inputs({empty, other});
+  ASSERT_FALSE(nothing);
+  EXPECT_EQ(nothing.error().code, ErrorCode::syntax);
+  EXPECT_EQ(nothing.error().message,
+            "e.geojson: no polygon, line or point in it; f.gpkg: no polygon, line or point in it");
+}
+
+TEST(JoinInputs, NumbersOfFeaturesThatCollideAreToldOnce) {
+  std::vector<Input> inputs;
+  for (const char* source : {"x", "y", "z"}) {
+    inputs.push_back(square(static_cast<double>(inputs.size()), "a", source));
+    inputs.back().polygons[0].feature = 1;
+    inputs.back().attributes = {{"fid", false, {}, {7}}, {"use", false, {}, {7}}};
+  }
+  EXPECT_EQ(join_inputs(inputs)->warnings,
+            std::vector<std::string>{
+                "'fid' is 7 in y and in a file before it: each file numbers its features anew"});
+  for (Input& input : inputs) input.attributes[0].values[0] = input.polygons[0].rings[0][0].x;
+  EXPECT_TRUE(join_inputs(inputs)->warnings.empty());
+}
+
 TEST(JoinInputs, SegmentsAndCirclesKeepTheirPoints) {
   Input one, other;
   one.points = {{0, 0}, {1, 0}};
@@ -191,6 +226,13 @@ TEST(JoinInputs, TextsThatSpellNumbersAreNumbersAmongNumbers) {
   EXPECT_EQ(joined().warnings,
             std::vector<std::string>{"the attribute 'K' of y has numbers, and that of files before "
                                      "it words: its array numbers the different values 1, 2, ..."});
+  one.attributes[0].words = {"9007199254740993"};
+  EXPECT_EQ(joined().warnings,
+            std::vector<std::string>{
+                "the attribute 'K' of y has numbers, and that of files before it whole numbers "
+                "that no double holds, as 9007199254740993: its array numbers the different values "
+                "1, 2, ..."});
+  one.attributes[0].words = {"low"};
   other.attributes = {{"K", false, {}, {kNoNumber}}};
   EXPECT_TRUE(joined().warnings.empty()) << "nothing is no number";
   one.attributes[0].words = {"1e-4"};
@@ -226,13 +268,6 @@ TEST(JoinInputs, WhatNoInputHasIsRefused) {
   EXPECT_TRUE(join_inputs({rivers, parcels}));
   EXPECT_TRUE(join_inputs({parcels, rivers}));
   parcels.asked[0] = {"material_field", "use", false, "the layer 'p' has no attribute 'use'"};
-  one.attributes[0].words = {"9007199254740993"};
-  EXPECT_EQ(joined().warnings,
-            std::vector<std::string>{
-                "the attribute 'K' of y has numbers, and that of files before it whole numbers "
-                "that no double holds, as 9007199254740993: its array numbers the different values "
-                "1, 2, ..."});
-  one.attributes[0].words = {"low"};
   const Result<Input> joined = join_inputs({rivers, parcels, square(2, "c", "z.poly")});
   ASSERT_FALSE(joined);
   EXPECT_EQ(joined.error().code, ErrorCode::bad_option);

@@ -79,7 +79,8 @@ class GeoReader {
   }
 
   Result<Input> finish() {
-    if (!json_.failed() && input_.polygons.empty() && input_.lines.empty() && input_.points.empty())
+    if (!json_.failed() && !options_.is_one_of_several && input_.polygons.empty() &&
+        input_.lines.empty() && input_.points.empty())
       json_.fail(document_, "no Polygon, MultiPolygon, LineString or Point in it");
     if (json_.failed()) return json_.error();
     left_out_.tell("property", input_);
@@ -106,8 +107,8 @@ class GeoReader {
     std::optional<double> priority;
     std::optional<double> size;
     std::uint32_t feature = 0;  ///< as InputPolygon has it
-  };
     bool is_void = false;       ///< by the word that drawings have for it
+  };
 
   /// A property that means something; what the caller called it has to be there.
   struct Meaning {
@@ -173,8 +174,8 @@ class GeoReader {
       if (number < kFeaturesForNames && properties->is_object())
         for (const auto& property : properties->items()) known_.insert(property.key());
       if (const Json* m = material_.of(*properties)) own.material = read_name(*m);
-      if (const Json* n = name_.of(*properties)) own.name = read_name(*n);
       own.is_void = is_word_for_void(own.material);
+      if (const Json* n = name_.of(*properties)) own.name = read_name(*n);
       if (const Json* p = priority_.of(*properties)) own.priority = read_number(*p);
       if (const Json* s = size_.of(*properties)) own.size = read_size(*s, number);
     }
@@ -321,8 +322,8 @@ class GeoReader {
     if (json_.failed()) return;
     if (coordinates.is_array() && coordinates.empty()) return;  // the RFC: as null
     attributes_.add_shape(properties.feature, FeatureShape::area);
-    InputPolygon polygon;
     if (properties.is_void) left_out_.add_void();
+    InputPolygon polygon;
     for (const Json& ring : json_.array(coordinates, "rings"))
       polygon.rings.push_back(read_path(ring));
     look_for_holes_outside(polygon.rings);
