@@ -197,7 +197,7 @@ class Values(unittest.TestCase):
             bare.write_text(self.MAP.replace('"use": "wood", "height": 2.5', '').replace('"use": null', ''))
             for files in (a, bare), (bare, a):
                 mesh = cover.mesh_file(files, keep_field='height', material_field='use')
-                self.assertIn('wood', mesh.materials.values())
+                self.assertEqual('wood' in mesh.materials.values(), files[1] == a, 'the later file is painted over the other')
             with self.assertRaisesRegex(cover.OptionError, 'nowhere'):
                 cover.mesh_file([a, bare], keep_field='nowhere')
             with self.assertRaisesRegex(TypeError, 'no file'):
