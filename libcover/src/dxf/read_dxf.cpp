@@ -34,7 +34,7 @@ namespace {
 constexpr std::size_t kMostDxfPoints = std::size_t{1} << 22U;
 
 /// Ends of lines that are no farther apart than so many units in the last place are united without
-/// a word: blocks that are turned move them by as much.
+/// a word, where one of them is computed: ends of arcs, and what blocks that are turned move.
 constexpr double kUlpsUnsaid = 4;
 
 using Path = std::vector<Point>;
@@ -58,6 +58,7 @@ class DxfConverter {
     for (const Placed<DxfCurve>* curve : curves_) note(*curve);
     ends_ = CurveEnds(size_);
     for (const Placed<DxfCurve>* curve : curves_) note_given_ends(*curve);
+    std::sort(given_.begin(), given_.end());
     for (const Placed<DxfCurve>* curve : curves_) note_arc_ends(*curve);
     for (const Placed<DxfCurve>* curve : curves_) {
       add(*curve);
@@ -220,7 +221,11 @@ class DxfConverter {
 
   void note_given_ends(const Placed<DxfCurve>& curve) {
     if (const auto* line = std::get_if<BulgePolyline>(&curve.thing->shape))
-      for (const BulgeCorner& corner : line->corners) ends_.add(curve.place(corner.at));
+      for (const BulgeCorner& corner : line->corners) {
+        ends_.add(curve.place(corner.at));
+        if (curve.place.is_identity() && std::isfinite(corner.at.x) && std::isfinite(corner.at.y))
+          given_.push_back(corner.at);
+      }
     const auto* spline = std::get_if<DxfSpline>(&curve.thing->shape);
     if (spline == nullptr || spline->controls.empty()) return;
     ends_.add(curve.place(spline->controls.front()));
@@ -277,8 +282,8 @@ class DxfConverter {
   void add_bulge(Point a, Point b, double bulge, const Affine& place) {
     const Point centre = midpoint(a, b) + ((1 - bulge * bulge) / (4 * bulge)) * left_normal(b - a);
     if (a == b || bulge == 0 || !std::isfinite(centre.x) || !std::isfinite(centre.y)) {
-      note_united(place(a));
-      note_united(place(b));
+      note_united(place(a), place.is_identity());
+      note_united(place(b), place.is_identity());
       return add_path(Path{place(a), place(b)});
     }
     const double radius =
@@ -330,13 +335,15 @@ class DxfConverter {
                    {}};
   }
 
-  /// Notes an end of a line that is taken for another though it is farther off than rounding takes
-  /// it.
-  void note_united(Point p) {
+  /// Notes an end of a line that is taken for another though both are `given` as they are, or it
+  /// is farther off than rounding takes it.
+  void note_united(Point p, bool given) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) return;
     const Point q = ends_.same(p);
+    if (p == q) return;
     const double away = std::max(std::abs(p.x - q.x), std::abs(p.y - q.y));
-    if (away <= kUlpsUnsaid * spacing_at(size_)) return;
+    const bool are_given = given && std::binary_search(given_.begin(), given_.end(), q);
+    if (!are_given && away <= kUlpsUnsaid * spacing_at(size_)) return;
     if (!united_.insert(p).second) return;
     input_.changes.push_back(
         {Change::Kind::welded,
@@ -473,7 +480,8 @@ class DxfConverter {
   const std::string* layer_ = nullptr;        ///< its name; nullptr: none
   long number_ = 0;                           ///< of the curve
   std::size_t bad_splines_ = 0, fit_splines_ = 0, other_texts_ = 0;
-  std::set<Point> united_;  ///< ends that were moved
+  std::set<Point> united_;    ///< ends that were moved
+  std::vector<Point> given_;  ///< corners of lines that no block places; sorted
   std::optional<Error> error_;
 };
 

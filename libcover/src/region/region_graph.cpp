@@ -407,9 +407,9 @@ Result<TriangulatedTable> build_triangulated_table(const Pslg& pslg, const Optio
   const Faces faces = whole ? faces_of(*std::move(whole), pairs, options.hull, team)
                             : find_faces(pslg.points, pairs, options.hull);
   if (faces.of_triangle.empty()) {
-    Error error =
-        nothing_enclosed(pslg, pslg.points.size() < 3 ? "there are fewer than three points"
-                                                      : "all points lie on one line");
+    Error error = nothing_enclosed(pslg, pslg.points.size() < 3
+                                             ? "there are fewer than three different points"
+                                             : "all points lie on one line");
     if (options.weld.value_or(0) > 0) error.message += " after welding (--weld)";
     return error;
   }

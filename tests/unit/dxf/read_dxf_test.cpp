@@ -118,6 +118,20 @@ TEST(ReadDxf, EndsThatMissByRoundingAreTheSame) {
   EXPECT_TRUE(out->report.changes.empty());
 }
 
+/// Nobody computed these: the drawing has two places where one is meant.
+TEST(ReadDxf, GivenEndsThatMissByRoundingAreTold) {
+  DxfWriter d;
+  d.begin_entities();
+  d.line("0", 0, 0, 1, 0).line("0", 1, 0, 1, 1).line("0", 1, 1, 1e-17, 1e-17);
+  const Input input = read(d.finish());
+  EXPECT_EQ(input.points.size(), 3U);
+  ASSERT_EQ(input.changes.size(), 1U);
+  EXPECT_EQ(input.changes[0].kind, Change::Kind::welded);
+  Options strict;
+  strict.strict = true;
+  EXPECT_FALSE(testing::clean(input, strict));
+}
+
 TEST(ReadDxf, AnArcOverZeroDegreesGoesOn) {
   DxfWriter d;
   d.begin_entities().entity("ARC", "0", {{10, 0}, {20, 0}, {40, 1}, {50, 270}, {51, 90}});

@@ -366,13 +366,13 @@ TEST(BuildRegionTable, RefusesWhatEnclosesNothing) {
   EXPECT_EQ(find(input).error().message, "open.poly: all points lie on one line");
   input.points = {{0, 0}, {1, 1}};
   input.segments.pop_back();
-  EXPECT_EQ(find(input).error().message, "open.poly: there are fewer than three points");
+  EXPECT_EQ(find(input).error().message, "open.poly: there are fewer than three different points");
   input.points.insert(input.points.end(), {{0, 1e-9}, {1, 1 + 1e-9}});
   input.segments.push_back({2, 3, 0, 2, 0, ""});
   Options weld;
   weld.weld = 1e-6;
   EXPECT_EQ(find(input, weld).error().message,
-            "open.poly: there are fewer than three points after welding (--weld)");
+            "open.poly: there are fewer than three different points after welding (--weld)");
   input = nested();
   input.holes = {{{0.5, 0.5}, 1, 0}, {{1.5, 1.5}, 2, 0}, {{4, 4}, 3, 0}};
   EXPECT_EQ(find(input).error().code, ErrorCode::nothing_enclosed);
