@@ -164,6 +164,10 @@ class Configuration(Case):
                            ('size = 1\nstrict = yes\n', 'job.toml:2: value: could not determine value type; text stands in quotes\n'),
                            ('output = "a\\b\\q.vtu"\n', "job.toml:1: string: unknown escape sequence '\\q'"),
                            ('size = 1\nsize = 2\n', "job.toml:2: key-value pair: cannot redefine existing integer 'size'; several values"),
+                           ('size = 1\n' + 'a.' * 100000 + 'b = 1\n', 'job.toml:2: a key has more than 16 parts\n'),
+                           ('size = ' + '[' * 100000, 'job.toml:1: value: exceeded maximum nested value depth'),
+                           ('layer = 68/20\n', '; text stands in quotes\n'),
+                           ('# ' + '.' * 300 + '\nsize = yes\n', 'job.toml:2: value: could not determine'),
                            ('size = [[1], 2]\n', 'job.toml:1: the value of size is no text, number, true, false or list of these\n')):
             self.write('job.toml', text)
             _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--config', 'job.toml', code=2)

@@ -37,6 +37,7 @@ void warn_of_losses(const OutputFiles& files, const Output& mesh, const std::str
        files.warnings(mesh.table.attributes, mesh.fields, periodic, points))
     log.warn("{}", warning);
   for (const std::string& warning : files.warnings_of(mesh)) log.warn("{}", warning);
+  for (const std::string& left : files.left_beside()) log.warn("{}", left);
   if (mesh.nodes && files.write_options().order == 1)
     log.warn("{}: triangles have six nodes, of which the corners are written: --order 2 keeps all",
              name);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <iterator>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -20,8 +22,9 @@ namespace cover::app {
 namespace {
 
 /// What helps where a file is no TOML, by what toml++ says.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kAdvice{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kAdvice{
     {{"could not determine value type", "text stands in quotes"},
+     {"expected digit", "text stands in quotes"},
      {"control characters other than TAB", "a string ends on its line"},
      {"cannot redefine existing", "several values of an option are a list: [a, b]"}}};
 
@@ -45,6 +48,33 @@ std::optional<std::string> text_of(const toml::node& node) {
 
 [[noreturn]] void fail_at(const toml::source_region& place, const std::string& what) {
   throw JobFileError(place.begin.line, what);
+}
+
+/// No option has a key of several parts. toml++ makes a table in a table of each part, and gives
+/// them back by recursion.
+constexpr std::size_t kMostParts = 16;
+
+/// The line of a key of more parts.
+std::optional<std::size_t> line_of_long_key(std::string_view text) {
+  std::size_t line = 1, parts = 0;
+  char quote = 0;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k];
+    if (c == '\n') ++line;
+    if (quote != 0) {
+      if (c == '\\' && quote == '"' && k + 1 < text.size() && text[k + 1] != '\n') ++k;
+      if (c == quote || c == '\n') quote = 0;
+    } else if (c == '#') {
+      while (k + 1 < text.size() && text[k + 1] != '\n') ++k;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (std::string_view("\n=,[]{}").find(c) != std::string_view::npos) {
+      parts = 0;
+    } else if (c == '.' && ++parts > kMostParts) {
+      return line;
+    }
+  }
+  return std::nullopt;
 }
 
 /// The values of a key.
@@ -98,7 +128,10 @@ std::string job_value(const std::string& value) {
 }
 
 std::vector<CLI::ConfigItem> JobFile::from_config(std::istream& input) const {
-  const toml::parse_result file = toml::parse(input);
+  const std::string text{std::istreambuf_iterator<char>(input), {}};
+  if (const auto line = line_of_long_key(text))
+    throw JobFileError(*line, fmt::format("a key has more than {} parts", kMostParts));
+  const toml::parse_result file = toml::parse(text);
   if (!file) fail_at(file.error().source(), explained(file.error().description()));
   std::vector<std::pair<const toml::key*, const toml::node*>> lines;
   for (const auto& [key, node] : file.table()) lines.emplace_back(&key, &node);

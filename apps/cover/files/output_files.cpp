@@ -13,6 +13,7 @@
 
 #include <cover/files.hpp>
 #include <cover/periodic.hpp>
+#include <cover/read_mesh.hpp>
 #include <cover/text.hpp>
 #include <cover/write_mesh.hpp>
 
@@ -184,26 +185,25 @@ std::vector<std::string> OutputFiles::warnings(const std::vector<Attribute>& att
 
 std::vector<std::string> OutputFiles::left_beside() const {
   namespace fs = std::filesystem;
-  const std::vector<std::string> known = write_formats();
+  const std::vector<std::string> read = mesh_formats();
   std::set<fs::path> seen;
   for (const std::string& path : paths()) seen.insert(fs::path(path).lexically_normal());
   std::vector<std::string> sentences;
   for (const std::string& path : meshes_) {
     const std::string extension = extension_of(path);
-    if (path == "-" || !is_among(known, extension) || extension == ".json" || extension == ".poly")
-      continue;
+    if (path == "-" || !is_among(read, extension) || extension == ".json") continue;
     for (const char* other : {".json", ".vtm"}) {
       const fs::path beside = fs::path(path).replace_extension(other);
       std::error_code error;
       if (!fs::is_regular_file(beside, error) || !seen.insert(beside.lexically_normal()).second)
         continue;
-      // A .vtkhdf has all names itself, and a .json may be anything.
+      // A .vtkhdf needs no blocks, and a .json may be anything.
       if (other == std::string_view(".vtm") ? extension == ".vtkhdf" : !is_manifest(beside))
         continue;
       sentences.push_back(fmt::format(
-          "{} stays beside {} as an earlier run left it, and is read with it for names: remove it, "
-          "or write it, too (-o)",
-          beside.string(), path));
+          "{} stays beside {} as an earlier run left it, and is read with it for {}: remove it, or "
+          "write it, too (-o)",
+          beside.string(), path, extension == ".vtkhdf" ? "arcs and periodic sides" : "names"));
     }
   }
   return sentences;

@@ -6,10 +6,10 @@
 #include <iterator>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include <fmt/core.h>
@@ -168,25 +168,6 @@ void append_rows(Attribute& all, Attribute more, const std::string& source,
   append(all.values, std::move(more.values));
 }
 
-/// Tells where features of several files have one number.
-void tell_equal_ids(const Attribute& all, const Attribute& more, const std::string& source,
-                    std::vector<std::string>& warnings) {
-  std::set<double> known;
-  for (const double value : all.values)
-    if (!std::isnan(value)) known.insert(value);
-  const auto twice = std::find_if(more.values.begin(), more.values.end(), [&](double value) {
-    return !std::isnan(value) && known.contains(value);
-  });
-  if (twice == more.values.end() || all.is_text || more.is_text) return;
-  constexpr std::string_view kSentence = "each file numbers its features anew";
-  const bool is_told = std::any_of(warnings.begin(), warnings.end(), [&](const std::string& told) {
-    return told.ends_with(kSentence);
-  });
-  if (!is_told)
-    warnings.push_back(fmt::format("'{}' is {} in {} and in a file before it: {}", kFeatureId,
-                                   *twice, source, kSentence));
-}
-
 /// One table: columns of one name are one.
 void join_attributes(Input& all, Input& more) {
   if (more.attributes.empty()) return;
@@ -198,7 +179,6 @@ void join_attributes(Input& all, Input& more) {
     const auto same = std::find_if(all.attributes.begin(), all.attributes.end(),
                                    [&](const Attribute& a) { return a.name == attribute.name; });
     if (same != all.attributes.end()) {
-      if (attribute.name == kFeatureId) tell_equal_ids(*same, attribute, more.source, all.warnings);
       append_rows(*same, std::move(attribute), more.source, all.warnings);
     } else {
       attribute.values.insert(attribute.values.begin(), before, nothing_of(attribute));
@@ -206,6 +186,25 @@ void join_attributes(Input& all, Input& more) {
     }
   }
   for (Attribute& attribute : all.attributes) attribute.values.resize(rows, nothing_of(attribute));
+}
+
+/// Tells where features of several files have one number.
+void tell_equal_ids(const std::vector<Input>& inputs, std::vector<std::string>& warnings) {
+  std::unordered_set<double> known;
+  for (const Input& input : inputs) {
+    const auto ids = std::find_if(input.attributes.begin(), input.attributes.end(),
+                                  [](const Attribute& a) { return a.name == kFeatureId; });
+    if (ids == input.attributes.end() || ids->is_text) continue;
+    const auto twice = std::find_if(ids->values.begin(), ids->values.end(),
+                                    [&](double id) { return known.contains(id); });
+    if (twice != ids->values.end()) {
+      warnings.push_back(fmt::format(
+          "'{}' is {} in {} and in a file before it: each file numbers its features anew",
+          kFeatureId, *twice, input.source));
+      return;
+    }
+    known.insert(ids->values.begin(), ids->values.end());
+  }
 }
 
 /// All maps of one system have one unit, which not every format says.
@@ -339,6 +338,7 @@ Result<Input> join_inputs(std::vector<Input> inputs) {
   if (Status status = check_systems(inputs, warnings); !status) return std::move(status).error();
   if (std::optional<Error> missing = find_missing(inputs)) return *std::move(missing);
   share_units(inputs);
+  tell_equal_ids(inputs, warnings);
   std::string source = inputs.front().source;
   for (std::size_t k = 1; k < inputs.size() && k < kNamed; ++k) source += ", " + inputs[k].source;
   source += and_more(inputs.size(), kNamed);

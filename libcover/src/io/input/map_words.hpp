@@ -77,8 +77,8 @@ void tell_renamed(const std::vector<Attribute>& attributes, std::vector<std::str
 /// The number that a text spells, as tables have it whose columns are all text.
 std::optional<double> number_in_words(std::string_view text);
 
-/// Whether there is a double that is this number: not so of all above 2^53, as the number of a
-/// parcel may be, but of -2^63, which stands for no value.
+/// Whether there is a double that is this number. Not every whole number beyond 2^53, as that of a
+/// parcel may be, is one; -2^63, which stands for no value, is.
 bool double_holds(std::int64_t whole);
 
 /// The same of a text in a column that is kept, where whole numbers that no double holds are words.

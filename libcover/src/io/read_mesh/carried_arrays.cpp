@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -144,14 +145,21 @@ AttributesLost take_attributes(std::vector<CellArray> of_triangles,
   return lost;
 }
 
-/// Arrays of points become fields, or the values of known ones. Returns the names of known fields
+bool are_same(const std::vector<double>& some, const std::vector<double>& more) {
+  return std::equal(some.begin(), some.end(), more.begin(), more.end(),
+                    [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); });
+}
+
+/// Arrays of points become fields, or the values of known ones. What a file beside the mesh said of
+/// regions stays where the values are the same. Returns the names of known fields
 /// that got none.
 std::vector<std::string> take_fields(std::vector<PlaneField::Array> of_points,
                                      RegionValues of_regions, const std::vector<std::string>& known,
                                      StoredMesh& stored) {
   std::set<std::string> taken;
   of_regions.resize(of_points.size());
-  stored.region_values.clear();
+  RegionValues known_values = std::exchange(stored.region_values, {});
+  known_values.resize(known.size());
   for (std::size_t p = 0; p < of_points.size(); ++p) {
     PlaneField::Array& array = of_points[p];
     if (is_own_array(array.name) || !taken.insert(array.name).second) continue;
@@ -161,6 +169,8 @@ std::vector<std::string> take_fields(std::vector<PlaneField::Array> of_points,
       stored.fields.push_back(std::move(array));
     } else {
       k = static_cast<std::size_t>(place - known.begin());
+      if (of_regions[p].empty() && are_same(stored.fields[k].values, array.values))
+        of_regions[p] = std::move(known_values[k]);
       stored.fields[k].values = std::move(array.values);
     }
     stored.region_values.resize(std::max(stored.region_values.size(), k + 1));
@@ -203,8 +213,7 @@ std::vector<std::string> take_arrays(std::vector<CellArray> of_triangles,
                     listed(attributes.not_held)));
   if (!lost.empty())
     sentences.push_back(
-        fmt::format("the file does not have the values at points that the "
-                    "manifest names: {}",
+        fmt::format("the file does not have the values at points that a file beside it names: {}",
                     listed(lost)));
   return sentences;
 }

@@ -23,14 +23,18 @@ namespace cover {
 namespace {
 
 using Ends = std::pair<std::uint32_t, std::uint32_t>;
+using Line = std::pair<InterfaceId, int>;  ///< with the marker
 using Forms = std::set<std::string>;
 
 /// What regions, lines and named points of a mesh may be called in its files.
 struct NameForms {
-  std::vector<Forms> of_region;             ///< by RegionId - 1
-  std::map<Ends, Forms> of_edge;            ///< on lines
+  std::vector<Forms> of_region;  ///< by RegionId - 1
+  std::map<Line, Forms> of_line;
   std::map<std::uint32_t, Forms> of_point;  ///< by vertex
 };
+
+/// Edges of one line have one name.
+Line line_of(const StoredEdge& edge) { return {edge.interface, edge.marker}; }
 
 void add_forms(const Group& group, const std::string& set, Forms& forms) {
   forms.insert({group.name, group.label, group.original, set});
@@ -59,9 +63,12 @@ NameForms forms_of(const StoredMesh& stored) {
       add_forms(view.region_groups[group], sets[group], forms.of_region[r]);
     }
     sets = abaqus_names(node_sets(view));
-    for (std::size_t l = 0; l < view.lines.size(); ++l)
-      add_forms(view.group_of_line(l), sets[view.line_group[l]],
-                forms.of_edge[std::minmax(view.lines[l][0], view.lines[l][1])]);
+    std::set<Line> are_done;
+    for (std::size_t l = 0; l < view.lines.size(); ++l) {
+      const Line line{view.interface[l], view.marker[l]};
+      if (are_done.insert(line).second)
+        add_forms(view.group_of_line(l), sets[view.line_group[l]], forms.of_line[line]);
+    }
     for (std::size_t k = 0; k < view.named.size(); ++k)
       add_forms(view.point_groups[view.named_group[k]],
                 sets[view.line_groups.size() + view.named_group[k]], forms.of_point[view.named[k]]);
@@ -131,9 +138,9 @@ void take_own_lines(const MeshFile& file, const NameForms& forms, StoredMesh& st
   for (const StoredEdge& edge : stored.edges) {
     const Ends ends = std::minmax(edge.a, edge.b);
     const auto name = names.find(ends);
-    const auto known = forms.of_edge.find(ends);
+    const auto known = forms.of_line.find(line_of(edge));
     // A line with a marker is called after that.
-    if (name == names.end() || known == forms.of_edge.end() || edge.marker != 0 ||
+    if (name == names.end() || known == forms.of_line.end() || edge.marker != 0 ||
         edge.interface == kNoInterface || place_of(edge.interface) >= stored.interfaces.size())
       continue;
     if (!known->second.contains(*name->second))
@@ -183,7 +190,10 @@ std::string value_text(const Attribute& attribute, double value) {
 
 void compare(const Attribute& told, const Attribute& own, Differences& differences) {
   const std::size_t regions = std::min(told.values.size(), own.values.size());
+  const bool mean_the_same =
+      told.is_text == own.is_text && (!told.is_text || told.words == own.words);
   for (std::size_t r = 0; r < regions; ++r) {
+    if (mean_the_same && own.values[r] == told.values[r]) continue;
     const std::string a = value_text(own, own.values[r]), b = value_text(told, told.values[r]);
     // Numbers of words that are out of range are numbers in `own` alone.
     if (a != b && !(told.is_text && !own.is_text && own.values[r] == told.values[r]))

@@ -261,11 +261,15 @@ class Completion {
     if (!blocks) return std::move(blocks).error();
     has_periodic_points_ = blocks->has_periodic_points;
     take_bent_edges(blocks->mesh.soup, blocks->middles);
-    StoredMesh told;
-    if (fs::is_regular_file(beside(".json"))) told = blocks->mesh;
+    // What tells of triangles goes there and back, as it may be most of the memory.
+    TriangleSoup soup = std::exchange(blocks->mesh.soup, {});
+    StoredMesh told = blocks->mesh;
+    const std::vector<std::int64_t> material = soup.material;
+    told.soup = std::move(soup);
     const Result<bool> named = read_manifest(beside(".json"), {}, told);
     if (!named) return named.error();
-    if (*named) take_manifest(told, *blocks);
+    blocks->mesh.soup = std::move(told.soup);
+    if (*named) take_manifest(told, material, *blocks);
     std::vector<std::string> left_out;
     StoredMesh stored = std::move(*blocks).finish(left_out);
     tell(left_out);
@@ -274,12 +278,16 @@ class Completion {
   }
 
   /// What blocks do not hold: arcs, periodic sides, and what the input calls attributes and fields;
-  /// all names, where these are those of blocks.
-  static void take_manifest(const StoredMesh& told, VtmMesh& blocks) {
+  /// all names, where these are those of blocks. `material`: of the blocks' own triangles.
+  static void take_manifest(const StoredMesh& told, const std::vector<std::int64_t>& material,
+                            VtmMesh& blocks) {
     if (!blocks.has_names) {
+      TriangleSoup soup = std::move(blocks.mesh.soup);
       blocks.mesh = told;
+      blocks.mesh.soup = std::move(soup);
       return;
     }
+    blocks.mesh.soup.material = material;
     blocks.mesh.arcs = told.arcs;
     blocks.mesh.periodic = told.periodic;
     blocks.mesh.attributes = told.attributes;

@@ -153,7 +153,11 @@ TEST(CarriedArrays, EachBlockOfAVtmHasTheValuesOfItsRegion) {
       ASSERT_TRUE(write_mesh(*back, again, {.order = order}));
       const Result<Output> twice = read_output(again);
       ASSERT_TRUE(twice) << twice.error().message;
-      for (const Output* read : {&*back, &*twice}) {
+      const std::string whole = folder.path() / "y.vtu";
+      ASSERT_TRUE(write_mesh(output, whole, {.order = order}));
+      const Result<Output> beside = read_output(whole);
+      ASSERT_TRUE(beside) << beside.error().message;
+      for (const Output* read : {&*back, &*twice, &*beside}) {
         ASSERT_EQ(read->region_values.size(), 2U);
         for (std::size_t n = 0; n < 2; ++n) {
           const std::size_t k = read->fields[n].name == "Boron" ? 1 : 0;
@@ -246,7 +250,7 @@ TEST(CarriedArrays, WhatIsLeftOutIsTold) {
   EXPECT_TRUE(back->fields.empty());
   const auto& notes = back->report.notes;
   EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const Note& note) {
-    return note.message.find("values at points that the manifest names: Net/1e17, Boron") !=
+    return note.message.find("values at points that a file beside it names: Net/1e17, Boron") !=
            std::string::npos;
   }));
 

@@ -38,9 +38,9 @@ const std::vector<std::string_view> kTopKeys{
 
 constexpr long kMostLayers = 1000;
 
-/// Of these nothing is asked.
 /// Spacings of doubles by which two radii of one arc differ where its points were computed.
 constexpr double kRoundings = 16;
+/// Of these nothing is asked.
 const std::vector<std::string_view> kFreeKeys{"name",  "source", "license",
                                               "notes", "field",  "$schema"};
 

@@ -165,7 +165,7 @@ namespace {
 std::string_view advice_for(std::string_view what) {
   if (what.find("ill-formed UTF-8") != std::string_view::npos)
     return "; JSON is in UTF-8: 'iconv -f LATIN1 -t UTF-8 FILE' writes it so, if it is in Latin-1";
-  if (what.find("expected end of input") != std::string_view::npos)
+  if (what.find("unexpected '{'; expected end of input") != std::string_view::npos)
     return "; one document is read, not one in each line: 'jq -s' puts them in a list, and of "
            "GeoJSON 'ogr2ogr OUT.geojson GeoJSONSeq:FILE' makes one";
   return "";

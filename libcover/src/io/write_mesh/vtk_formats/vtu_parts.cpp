@@ -178,19 +178,16 @@ struct Part {
 /// at the points of `part`. Of several that meet in one block the largest magnitude counts.
 void set_values_of_regions(const MeshView& view, std::span<const std::size_t> triangles,
                            const Part& part, VtuGrid& grid) {
-  const auto local = [&](std::uint32_t vertex) {
-    return std::lower_bound(part.numbers.begin(), part.numbers.end(), vertex);
-  };
   for (std::size_t k = 0; k < view.region_values.size(); ++k) {
     const PlaneField::Array& field = view.fields[k];
-    std::vector<bool> is_shared(part.numbers.size());
-    bool any = false;
-    for (const RegionValue& one : view.region_values[k]) {
-      const auto found = local(one.vertex);
-      if (found == part.numbers.end() || *found != one.vertex) continue;
-      is_shared[static_cast<std::size_t>(found - part.numbers.begin())] = any = true;
+    std::vector<bool> is_shared;
+    for (const std::uint32_t vertex : part.numbers) {
+      const auto found =
+          std::lower_bound(view.region_values[k].begin(), view.region_values[k].end(), vertex,
+                           [](const RegionValue& one, std::uint32_t v) { return one.vertex < v; });
+      is_shared.push_back(found != view.region_values[k].end() && found->vertex == vertex);
     }
-    if (!any) continue;
+    if (std::find(is_shared.begin(), is_shared.end(), true) == is_shared.end()) continue;
     const auto values = std::make_shared<std::vector<double>>();
     for (const std::uint32_t vertex : part.numbers) values->push_back(field.values[vertex]);
     std::vector<bool> is_set(part.numbers.size());
