@@ -193,10 +193,10 @@ def lines_of(cover, poly):
 
 def random_layers(r, names, extent):
     words = []
-    for _ in range(r.randint(1, 3)):
+    for name in r.sample(names, min(len(names), r.randint(1, 3))):  # a line has layers once
         growth = r.choice([1, r.uniform(1.05, 2)])
         count = r.randint(1, 12) if growth == 1 else r.choice([0, r.randint(1, 12)])
-        words += ['--layers', f'{r.choice(names)}={extent * 10 ** r.uniform(-5, -1):.6g},{growth:.6g},{count}']
+        words += ['--layers', f'{name}={extent * 10 ** r.uniform(-5, -1):.6g},{growth:.6g},{count}']
     return words
 
 
