@@ -178,21 +178,10 @@ std::vector<std::string> losses_of(const Output& output, const std::string& path
     return {};
   const std::string file = path.substr(path.rfind('/') + 1);
   std::vector<std::string> sentences;
-  const auto tell = [&](const char* what, std::vector<std::string> names,
+  const auto tell = [&](const char* what, const std::vector<std::string>& names,
                         const std::vector<std::string>& holding) {
-    constexpr std::size_t kMost = 10;
-    std::vector<std::string> each;
-    for (std::string& name : names)
-      if (std::find(each.begin(), each.end(), name) == each.end()) each.push_back(std::move(name));
-    if (each.empty() || std::find(holding.begin(), holding.end(), extension) != holding.end())
-      return;
-    if (each.size() > kMost) {
-      const std::size_t more = each.size() - kMost;
-      each.resize(kMost);
-      each.back() += " and " + std::to_string(more) + " more";
-    }
-    sentences.push_back(std::string(what) + " (" + listed(each) + ") are not in " + file +
-                        ": formats that hold them are " + listed(holding));
+    if (!names.empty() && std::find(holding.begin(), holding.end(), extension) == holding.end())
+      sentences.push_back(not_held(what, first_of_all(names), {file}, holding));
   };
   std::vector<std::string> attributes, sides, points, values;
   for (const Attribute& attribute : output.table.attributes) attributes.push_back(attribute.name);

@@ -155,11 +155,12 @@ class Value {
   }
 
   [[nodiscard]] std::string pair_of_sides(const py::handle& item) const {
-    const auto name = [&](int k) {
-      const std::string given = text(item[py::int_(k)]);
-      return given.find_first_of("=@") == std::string::npos ? given : '"' + given + '"';
-    };
-    return name(0) + "=" + name(1);
+    PeriodicRule rule;
+    rule.from = text(item[py::int_(0)]);
+    rule.to = text(item[py::int_(1)]);
+    Options options;
+    options.periodic = {std::move(rule)};
+    return find_option("periodic")->get(*find_option("periodic"), options).front();
   }
 
   /// (0, 0, 2, 1) as "0,0,2,1".

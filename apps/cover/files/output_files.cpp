@@ -27,17 +27,6 @@ bool is_among(const std::vector<std::string>& all, const std::string& extension)
   return std::find(all.begin(), all.end(), extension) != all.end();
 }
 
-/// The first of `names`, each once, and how many there are more: a map may have thousands of wells.
-std::vector<std::string> first_of_all(const std::vector<std::string>& names) {
-  constexpr std::size_t kMost = 10;
-  std::vector<std::string> first;
-  std::set<std::string> known;
-  for (const std::string& name : names)
-    if (known.insert(name).second && known.size() <= kMost) first.push_back(name);
-  if (known.size() > kMost) first.back() += fmt::format(" and {} more", known.size() - kMost);
-  return first;
-}
-
 /// Of each attribute of text what its numbers mean: "code: 1 = 07, 2 = 12".
 std::vector<std::string> tables_of(const std::vector<Attribute>& attributes) {
   constexpr std::size_t kMost = 10;
@@ -250,9 +239,7 @@ std::string OutputFiles::lost(std::string_view what, const std::vector<std::stri
     const bool is_mesh = is_among(known, extension) && extension != ".poly" && extension != ".json";
     if (is_mesh && !is_among(holding, extension)) without.push_back(name_of(path));
   }
-  if (names.empty() || without.empty()) return {};
-  return fmt::format("{} ({}) are not in {}: formats that hold them are {}", what, listed(names),
-                     listed(without), listed(holding));
+  return not_held(what, names, without, holding);
 }
 
 std::string OutputFiles::rounding(const Output& output) const {

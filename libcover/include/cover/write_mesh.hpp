@@ -6,6 +6,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <cover/output.hpp>
@@ -55,6 +56,15 @@ std::vector<std::string> periodic_formats();
 /// Those of write_formats() that hold Pslg::named_points, by name or as numbers of groups: .msh not
 /// in parts.
 std::vector<std::string> point_formats(const WriteOptions& options = {});
+
+/// The different ones of `names`, the first ten and how many more there are.
+std::vector<std::string> first_of_all(const std::vector<std::string>& names);
+
+/// "names of points (a, b) are not in x.msh: formats that hold them are .vtu, .vtm", of what each
+/// of `files` lacks; empty where there are no names or no files.
+std::string not_held(std::string_view what, const std::vector<std::string>& names,
+                     const std::vector<std::string>& files,
+                     const std::vector<std::string>& formats);
 
 /// Those of write_formats() in which solvers find regions and lines by the numbers of groups.
 std::vector<std::string> number_formats();

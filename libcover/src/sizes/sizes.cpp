@@ -18,6 +18,7 @@
 
 #include "base/expression.hpp"
 #include "base/numbers.hpp"
+#include "base/words/quoted_names.hpp"
 #include "geom/box.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
@@ -110,17 +111,14 @@ bool at_points(const SizeRule& rule, const Pslg& pslg, const RegionTable& table,
   return !segments.empty();
 }
 
-/// The rule with its name out of quotation marks, of which two stand for one, as names stand in
-/// rules for layers; nothing if there are none. A name that has them itself needs none around it.
+/// The rule with its name out of quotation marks; nothing if there are none. A name that has them
+/// itself needs none around it.
 std::optional<SizeRule> without_quotes(const SizeRule& rule) {
-  const std::string& name = rule.name;
-  if (name.size() < 3 || name.front() != '"' || name.back() != '"') return std::nullopt;
+  std::string_view rest = rule.name;
+  std::optional<std::string> name = rest.starts_with('"') ? take_quoted(rest) : std::nullopt;
+  if (!name || name->empty() || !rest.empty()) return std::nullopt;
   SizeRule out = rule;
-  out.name.clear();
-  for (std::size_t k = 1; k + 1 < name.size(); ++k) {
-    if (name[k] == '"' && name[++k] != '"') return std::nullopt;
-    out.name += name[k];
-  }
+  out.name = *std::move(name);
   return out;
 }
 

@@ -203,7 +203,8 @@ void tell_equal_ids(const std::vector<Input>& inputs, std::vector<std::string>& 
           kFeatureId, *twice, input.source));
       return;
     }
-    known.insert(ids->values.begin(), ids->values.end());
+    std::copy_if(ids->values.begin(), ids->values.end(), std::inserter(known, known.end()),
+                 [](double id) { return !std::isnan(id); });  // they would be all in one bucket
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <set>
 #include <string_view>
 
 #include <cover/curved_mesh.hpp>
@@ -255,6 +256,24 @@ std::vector<std::string> point_formats(const WriteOptions& options) {
       formats_with([](const Format& format) { return format.points; });
   if (options.parts != 1) std::erase(formats, ".msh");
   return formats;
+}
+
+std::vector<std::string> first_of_all(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 10;
+  std::vector<std::string> first;
+  std::set<std::string> known;
+  for (const std::string& name : names)
+    if (known.insert(name).second && known.size() <= kMost) first.push_back(name);
+  if (known.size() > kMost) first.back() += fmt::format(" and {} more", known.size() - kMost);
+  return first;
+}
+
+std::string not_held(std::string_view what, const std::vector<std::string>& names,
+                     const std::vector<std::string>& files,
+                     const std::vector<std::string>& formats) {
+  if (names.empty() || files.empty()) return {};
+  return fmt::format("{} ({}) are not in {}: formats that hold them are {}", what, listed(names),
+                     listed(files), listed(formats));
 }
 
 std::vector<std::string> number_formats() {
