@@ -202,8 +202,9 @@ Coverage look_at_edges(const Network& network, const EdgeGraph& graph,
 
 }  // namespace
 
-void report_polygons(const Input& input, const Network& network, const EdgeGraph& graph,
-                     const std::vector<EdgeOwners>& owners, Report& report) {
+void report_polygons(const Input& input, const std::vector<bool>& hidden, const Network& network,
+                     const EdgeGraph& graph, const std::vector<EdgeOwners>& owners,
+                     Report& report) {
   const auto warn = [&](std::string message, std::vector<Point> where) {
     report.notes.push_back({Note::Kind::warning, kVoid, std::move(message), std::move(where)});
   };
@@ -233,8 +234,8 @@ void report_polygons(const Input& input, const Network& network, const EdgeGraph
     if (raw.origin.kind == Origin::Kind::ring) ++edges[raw.origin.index];
   }
   for (std::uint32_t p = 0; p < seen.size(); ++p) {
-    if (seen[p] || edges[p] <= 2) continue;
-    warn(name_of_polygon(input, p) + (coverage.has_inside[p]
+    if (!hidden[p] && (seen[p] || edges[p] <= 2)) continue;
+    warn(name_of_polygon(input, p) + (hidden[p] || coverage.has_inside[p]
                                           ? " is wholly covered by others"
                                           : " has no inside: its edges cancel each other"),
          {});

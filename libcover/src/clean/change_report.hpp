@@ -25,9 +25,10 @@ void report_splits(const Input& input, const Network& network,
                    const std::vector<VisibleEdge>& edges, std::vector<Change>& changes);
 
 /// Appends a warning for every polygon that crosses itself or of which nothing is visible, and a
-/// change for every one that folds back on itself, where that separates nothing.
-void report_polygons(const Input& input, const Network& network, const EdgeGraph& graph,
-                     const std::vector<EdgeOwners>& owners, Report& report);
+/// change for every one that folds back on itself, where that separates nothing. Of those that are
+/// `hidden`, by number, the network knows nothing.
+void report_polygons(const Input& input, const std::vector<bool>& hidden, const Network& network,
+                     const EdgeGraph& graph, const std::vector<EdgeOwners>& owners, Report& report);
 
 /// Appends a warning where polygons are merged into regions that have the name or the attributes of
 /// another polygon.

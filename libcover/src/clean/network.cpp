@@ -54,10 +54,12 @@ class Gatherer {
  public:
   Gatherer(const Input& input, std::vector<Change>& changes) : input_(input), changes_(changes) {}
 
-  Network gather() {
+  Network gather(const std::vector<bool>& hidden) {
     add_points();
     add_segments();
-    for (std::uint32_t p = 0; p < input_.polygons.size(); ++p) add_polygon(p);
+    for (std::uint32_t p = 0; p < input_.polygons.size(); ++p) {
+      add_polygon(p, !hidden.empty() && hidden[p]);
+    }
     for (std::uint32_t l = 0; l < input_.lines.size(); ++l) add_line(l);
     network_.points = pool_.take();
     network_.input.resize(network_.points.size(), kNone);
@@ -129,7 +131,7 @@ class Gatherer {
                         {{InputKind::segment, input_.segments[segment].id}}});
   }
 
-  void add_polygon(std::uint32_t p) {
+  void add_polygon(std::uint32_t p, bool is_hidden) {
     const auto drop = [&](const std::string& what, std::vector<Point> where) {
       changes_.push_back({Change::Kind::dropped,
                           what + " has fewer than three different corners",
@@ -145,6 +147,7 @@ class Gatherer {
         drop(fmt::format("ring {} of {}", r + 1, name), ring);
         continue;
       }
+      if (is_hidden) continue;
       for (std::size_t k = 0; k < ring.size(); ++k) {
         add_edge(ring[k], ring[k + 1 < ring.size() ? k + 1 : 0], {Origin::Kind::ring, p});
       }
@@ -193,8 +196,8 @@ class Gatherer {
 
 }  // namespace
 
-Network gather(const Input& input, std::vector<Change>& changes) {
-  return Gatherer(input, changes).gather();
+Network gather(const Input& input, std::vector<Change>& changes, const std::vector<bool>& hidden) {
+  return Gatherer(input, changes).gather(hidden);
 }
 
 std::string name_of_polygon(const Input& input, std::uint32_t polygon) {

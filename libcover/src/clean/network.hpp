@@ -64,12 +64,14 @@ struct Network {
   std::vector<Strand> strands;  ///< none of length zero
 };
 
-/// Collects the lines of `input`, one strand each; equal points become one.
+/// Collects the lines of `input`, one strand each; equal points become one. The lines of
+/// polygons that are `hidden`, by number, are left out.
 ///
 /// What is dropped or merged is appended to `changes`.
 /// REQUIRES: find_unusable finds nothing
 /// Cost:     O(n log n).
-Network gather(const Input& input, std::vector<Change>& changes);
+Network gather(const Input& input, std::vector<Change>& changes,
+               const std::vector<bool>& hidden = {});
 
 /// "segment 3 from (0, 0) to (1, 0) (line 7)", "the edge of polygon 2 from ... to ...".
 std::string name_of_raw(const Input& input, const Network& network, std::uint32_t raw);

@@ -32,6 +32,7 @@
 #include "clean/network.hpp"
 #include "clean/node_edges.hpp"
 #include "clean/paint/assemble.hpp"
+#include "clean/paint/hidden_polygons.hpp"
 #include "clean/paint/merge_materials.hpp"
 #include "clean/paint/paint.hpp"
 #include "clean/paint/visible_edges.hpp"
@@ -98,12 +99,13 @@ struct Painted {
 };
 
 /// Drops what other polygons hide and makes the graph of the rest, which `network` is then.
-Result<Painted> paint_over(const Input& input, const Options& options, Network& network,
+Result<Painted> paint_over(const Input& input, const Options& options,
+                           const std::vector<bool>& hidden, Network& network,
                            const EdgeGraph& graph, Report& report, const Team& team) {
   const bool merge = options.merge_materials;
   Result<Painting> painted = paint(input, options.overlap, merge, network, graph);
   if (!painted) return std::move(painted).error();
-  report_polygons(input, network, graph, painted->owners, report);
+  report_polygons(input, hidden, network, graph, painted->owners, report);
   report_merged_values(input, *painted, report.notes);
   Painted out;
   out.sizes = std::move(painted->sizes);
@@ -128,7 +130,8 @@ Result<Painted> paint_over(const Input& input, const Options& options, Network& 
 /// Cleans what is no PSLG yet, as is known of segments alone.
 Result<Pslg> clean_up(const Input& input, const Options& options, Report& report,
                       const Team& team) {
-  Network network = gather(input, report.changes);
+  const std::vector<bool> hidden = hidden_polygons(input, options.overlap);
+  Network network = gather(input, report.changes, hidden);
   const double weld = weld_of(input, options);
   EdgeGraph graph =
       weld > 0 ? weld_and_node(input, weld, network, report.changes, !options.weld)
@@ -139,7 +142,7 @@ Result<Pslg> clean_up(const Input& input, const Options& options, Report& report
     report_splits(input, network, visible_edges(network, graph, {none, none, {}}).edges,
                   report.changes);
   } else {
-    Result<Painted> painted = paint_over(input, options, network, graph, report, team);
+    Result<Painted> painted = paint_over(input, options, hidden, network, graph, report, team);
     if (!painted) return std::move(painted).error();
     seen = *std::move(painted);
     graph = std::move(seen.graph);

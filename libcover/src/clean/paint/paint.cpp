@@ -17,10 +17,8 @@
 #include "faces/faces.hpp"
 
 namespace cover {
-namespace {
 
-/// The place of every polygon in the order of painting; the highest wins.
-std::vector<std::uint32_t> ranks(const std::vector<InputPolygon>& polygons, Overlap overlap) {
+std::vector<std::uint32_t> ranks_of(const std::vector<InputPolygon>& polygons, Overlap overlap) {
   std::vector<std::uint32_t> order(polygons.size()), rank(polygons.size());
   for (std::uint32_t p = 0; p < order.size(); ++p) order[p] = p;
   if (overlap == Overlap::first) std::reverse(order.begin(), order.end());
@@ -30,6 +28,8 @@ std::vector<std::uint32_t> ranks(const std::vector<InputPolygon>& polygons, Over
   for (std::uint32_t k = 0; k < order.size(); ++k) rank[order[k]] = k;
   return rank;
 }
+
+namespace {
 
 /// By polygon: a number that it shares with those that make one region with it where they touch.
 std::vector<std::uint32_t> kinds(const std::vector<InputPolygon>& polygons, bool merge) {
@@ -83,7 +83,7 @@ class Painter {
         network_(network),
         graph_(graph),
         faces_(faces_of(graph.triangulation, graph.edges, false)),
-        rank_(ranks(input.polygons, overlap)),
+        rank_(ranks_of(input.polygons, overlap)),
         clashes_(ErrorCode::overlapping_polygons, input.source) {}
 
   Result<Painting> run(bool merge) {

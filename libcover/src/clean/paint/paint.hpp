@@ -16,6 +16,10 @@
 
 namespace cover {
 
+/// The place of every polygon in the order of painting; the highest wins: by priority, among equals
+/// the last, or with Overlap::first the first.
+std::vector<std::uint32_t> ranks_of(const std::vector<InputPolygon>& polygons, Overlap overlap);
+
 /// What lies beside an edge, seen from its smaller to its larger index: a polygon, or kNone for
 /// the void.
 using EdgeOwners = std::array<std::uint32_t, 2>;
