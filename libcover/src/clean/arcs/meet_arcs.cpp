@@ -14,6 +14,7 @@
 
 #include <cover/text.hpp>
 
+#include "base/numbers.hpp"
 #include "clean/arcs/cut_chords.hpp"
 #include "clean/arcs/input_edges.hpp"
 #include "clean/change_report.hpp"
@@ -42,17 +43,30 @@ double rounding_on(const InputChord& chord, Point p) {
 /// An end of lines.
 struct EndOfLines {
   Point at;
-  double shortest = 0;  ///< of the lines that end there
+  double shortest = 0;  ///< of the lines that end there and are longer than rounding, if any is
   friend constexpr auto operator<=>(const EndOfLines&, const EndOfLines&) = default;
 };
 
-/// All ends, each place once.
-std::vector<EndOfLines> ends_of(const Input& input) {
+/// A box around all ends.
+Box box_of_ends(const Input& input) {
+  Box box;
+  for_each_edge(input, [&](Point a, Point b, std::uint32_t, const InputRef&) {
+    if (a == b) return;
+    box.add(a);
+    box.add(b);
+  });
+  return box;
+}
+
+/// All ends, each place once. A corner that is named, and given again as the end of an arc, is an
+/// edge no longer than `rounding`: it says nothing of how far the corner may be from a curve.
+std::vector<EndOfLines> ends_of(const Input& input, double rounding) {
   std::vector<EndOfLines> ends;
   for_each_edge(input, [&](Point a, Point b, std::uint32_t, const InputRef&) {
     if (a == b) return;
-    ends.push_back({a, length(b - a)});
-    ends.push_back({b, length(b - a)});
+    const double known = length(b - a) > rounding ? length(b - a) : kInfinity;
+    ends.push_back({a, known});
+    ends.push_back({b, known});
   });
   std::sort(ends.begin(), ends.end());  // of one place the shortest line comes first
   const auto is_same = [](const EndOfLines& e, const EndOfLines& f) { return e.at == f.at; };
@@ -89,13 +103,12 @@ struct Meeting {
 class ArcMeeter {
  public:
   ArcMeeter(const Input& input, double weld) : input_(input), chords_(chords_of(input)) {
-    ends_ = ends_of(input);
-    Box box;
-    for (const EndOfLines& end : ends_) box.add(end.at);
+    const Box box = box_of_ends(input);
     extent_ = box.extent();
     tolerance_ = weld * extent_;
-    const std::array corners{box.low, box.high};
-    welded_ = std::max(tolerance_, ends_.empty() ? 0 : rounding_of(corners));
+    const double rounding = box.is_empty() ? 0 : rounding_of(std::array{box.low, box.high});
+    welded_ = std::max(tolerance_, rounding);
+    ends_ = ends_of(input, rounding);
   }
 
   /// By chord: the ends that lie on its arc.

@@ -263,6 +263,27 @@ TEST(MeetArcs, RingsAndLinesGetEndsOfOthers) {
   EXPECT_EQ(std::vector<Point>(line.begin() + 1, line.begin() + 3), between);
 }
 
+/// A corner that is named, and given again as the end of an arc, whose double is another one.
+TEST(MeetArcs, CornersThatStandTwiceMeetTheCircleTheyAreOn) {
+  Input circle;
+  testing::add_circle(circle, {0, 0}, 1, 8);
+  Input input;
+  input.circles = circle.circles;
+  InputPolygon slot;
+  const Point corner = at_angle(1, 20);
+  const Point twin{std::nextafter(corner.x, 2), std::nextafter(corner.y, 0)};
+  slot.rings = {{corner, twin, at_angle(1.5, 20), at_angle(1.5, 30), at_angle(1, 30)}};
+  input.polygons = {testing::disc_of(circle, "iron"), slot};
+  std::vector<Change> changes;
+  std::vector<Note> notes;
+  const auto met = meet_arcs(input, 0, changes, notes);
+  ASSERT_TRUE(met);
+  const auto& ring = met->polygons[0].rings[0];
+  ASSERT_EQ(ring.size(), 10U);
+  EXPECT_TRUE(ring[1] == corner || ring[1] == twin);
+  EXPECT_EQ(ring[2], slot.rings[0][4]);
+}
+
 TEST(MeetArcs, ArcsThatNothingElseEndsOnStayAsTheyAre) {
   Input input;
   testing::add_circle(input, {0, 0}, 1, 8);
