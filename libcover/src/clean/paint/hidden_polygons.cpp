@@ -8,8 +8,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 
+#include "base/containers/order.hpp"
+#include "clean/arcs/input_edges.hpp"
 #include "clean/paint/paint.hpp"
 #include "geom/box.hpp"
 #include "geom/predicates.hpp"
@@ -21,21 +22,14 @@ namespace {
 
 /// Crossings for each edge from which on it pays.
 constexpr double kCrowd = 4;
-/// Pairs of polygons whose boxes are compared.
-constexpr std::size_t kMostPairs = 100'000'000;
-
-template <class Visit>
-void each_edge(const InputPolygon& polygon, Visit visit) {
-  for (const std::vector<Point>& ring : polygon.rings) {
-    for (std::size_t k = 0; k < ring.size(); ++k)
-      visit(ring[k], ring[k + 1 < ring.size() ? k + 1 : 0]);
-  }
-}
+/// Edges that are looked at, for all polygons together.
+constexpr std::size_t kMostEdges = 200'000'000;
 
 bool is_crowded(const Input& input) {
   std::vector<PlainSegment> edges;
-  for (const InputPolygon& polygon : input.polygons)
-    each_edge(polygon, [&](Point a, Point b) { edges.push_back({a, b}); });
+  for_each_edge(input, [&](Point a, Point b, std::uint32_t, const InputRef& element) {
+    if (element.kind == InputKind::polygon) edges.push_back({a, b});
+  });
   return crossings_at_least(edges) > kCrowd * static_cast<double>(edges.size());
 }
 
@@ -62,12 +56,29 @@ bool may_meet(const Box& box, Point a, Point b) {
 
 /// Whether all of the box lies inside of the polygon, away from its edges.
 bool covers(const InputPolygon& polygon, const Box& box) {
-  bool is_met = false, is_inside = false;
-  each_edge(polygon, [&](Point a, Point b) { is_met = is_met || may_meet(box, a, b); });
-  if (is_met) return false;
-  for (const std::vector<Point>& ring : polygon.rings)
+  bool is_inside = false;
+  for (const std::vector<Point>& ring : polygon.rings) {
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      if (may_meet(box, ring[k], ring[k + 1 < ring.size() ? k + 1 : 0])) return false;
+    }
     is_inside ^= place_in(ring, box.low) == Place::inside;
+  }
   return is_inside;
+}
+
+/// The polygons of the largest boxes, by number, as many as may be tried over all others.
+std::vector<std::uint32_t> largest_of(const std::vector<InputPolygon>& polygons,
+                                      const std::vector<Box>& boxes) {
+  std::vector<std::uint32_t> order =
+      sorted_numbers(polygons.size(), [&](std::uint32_t p, std::uint32_t q) {
+        return boxes[p].width() * boxes[p].height() > boxes[q].width() * boxes[q].height();
+      });
+  std::size_t edges = 0, count = 0;
+  for (; count < order.size() && edges <= kMostEdges / order.size(); ++count) {
+    for (const std::vector<Point>& ring : polygons[order[count]].rings) edges += ring.size();
+  }
+  order.resize(count);
+  return order;
 }
 
 }  // namespace
@@ -78,12 +89,7 @@ std::vector<bool> hidden_polygons(const Input& input, Overlap overlap) {
   if (overlap == Overlap::error || count < 2 || !is_crowded(input)) return hidden;
   std::vector<Box> boxes;
   for (const InputPolygon& polygon : input.polygons) boxes.push_back(box_around(polygon));
-  std::vector<std::uint32_t> largest(count);
-  std::iota(largest.begin(), largest.end(), 0);
-  std::stable_sort(largest.begin(), largest.end(), [&](std::uint32_t p, std::uint32_t q) {
-    return boxes[p].width() * boxes[p].height() > boxes[q].width() * boxes[q].height();
-  });
-  largest.resize(std::min(count, std::max<std::size_t>(1, kMostPairs / count)));
+  const std::vector<std::uint32_t> largest = largest_of(input.polygons, boxes);
   const std::vector<std::uint32_t> rank = ranks_of(input.polygons, overlap);
   for (std::uint32_t p = 0; p < count; ++p) {
     if (boxes[p].is_empty()) continue;

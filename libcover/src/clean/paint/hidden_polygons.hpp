@@ -14,8 +14,7 @@ namespace cover {
 /// Overlap::error.
 ///
 /// EXACT: what is true is hidden
-/// Cost:  O(n log n) and a hundred million comparisons of boxes at most, and for each polygon that
-///        is tried over another O(m) of its edges
+/// Cost:  O(n log n), and a look at two hundred million edges at most
 std::vector<bool> hidden_polygons(const Input& input, Overlap overlap);
 
 }  // namespace cover

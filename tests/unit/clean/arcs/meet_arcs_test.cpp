@@ -228,20 +228,27 @@ TEST(MeetArcs, NoArcIsBentTooFarOffItsCircle) {
   }
 }
 
-TEST(MeetArcs, RingsAndLinesGetEndsOfOthers) {
+/// A disc of eight chords to its circle, and a slot beside it.
+Input disc_and_slot(const std::vector<Point>& ring) {
   Input circle;
   testing::add_circle(circle, {0, 0}, 1, 8);
   Input input;
   input.circles = circle.circles;
-  const InputPolygon disc = testing::disc_of(circle, "iron");
   InputPolygon slot;
-  slot.rings = {{at_angle(1, 20), at_angle(1.5, 20), at_angle(1.5, 30), at_angle(1, 30)}};
+  slot.rings = {ring};
   slot.material = "copper";
+  input.polygons = {testing::disc_of(circle, "iron"), slot};
+  return input;
+}
+
+TEST(MeetArcs, RingsAndLinesGetEndsOfOthers) {
+  Input input =
+      disc_and_slot({at_angle(1, 20), at_angle(1.5, 20), at_angle(1.5, 30), at_angle(1, 30)});
+  const InputPolygon disc = input.polygons[0], slot = input.polygons[1];
   InputLine contact;
   contact.name = "contact";
-  contact.points = {circle.points[0], circle.points[1]};
+  contact.points = {disc.rings[0][0], disc.rings[0][1]};
   contact.circles = {1, 0};
-  input.polygons = {disc, slot};
   input.lines = {contact};
   std::vector<Change> changes;
   std::vector<Note> notes;
@@ -265,15 +272,9 @@ TEST(MeetArcs, RingsAndLinesGetEndsOfOthers) {
 
 /// A corner that is named, and given again as the end of an arc, whose double is another one.
 TEST(MeetArcs, CornersThatStandTwiceMeetTheCircleTheyAreOn) {
-  Input circle;
-  testing::add_circle(circle, {0, 0}, 1, 8);
-  Input input;
-  input.circles = circle.circles;
-  InputPolygon slot;
-  const Point corner = at_angle(1, 20);
+  const Point corner = at_angle(1, 20), end = at_angle(1, 30);
   const Point twin{std::nextafter(corner.x, 2), std::nextafter(corner.y, 0)};
-  slot.rings = {{corner, twin, at_angle(1.5, 20), at_angle(1.5, 30), at_angle(1, 30)}};
-  input.polygons = {testing::disc_of(circle, "iron"), slot};
+  const Input input = disc_and_slot({corner, twin, at_angle(1.5, 20), at_angle(1.5, 30), end});
   std::vector<Change> changes;
   std::vector<Note> notes;
   const auto met = meet_arcs(input, 0, changes, notes);
@@ -281,7 +282,7 @@ TEST(MeetArcs, CornersThatStandTwiceMeetTheCircleTheyAreOn) {
   const auto& ring = met->polygons[0].rings[0];
   ASSERT_EQ(ring.size(), 10U);
   EXPECT_TRUE(ring[1] == corner || ring[1] == twin);
-  EXPECT_EQ(ring[2], slot.rings[0][4]);
+  EXPECT_EQ(ring[2], end);
 }
 
 TEST(MeetArcs, ArcsThatNothingElseEndsOnStayAsTheyAre) {
