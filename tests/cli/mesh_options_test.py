@@ -241,6 +241,26 @@ class Layers(Case):
         oxide = next(r for r in report['regions'] if r['name'] == 'oxide')
         self.assertGreater(oxide['layers'][0]['fewest'], 0)
 
+    def test_layers_that_give_way_to_couplings(self):
+        """Walls with other numbers of points: the default, angles alone, and what the report says of both."""
+        def ring(radius, chords):
+            return [[{'circle': {'centre': [0, 0], 'radius': radius, 'chords': chords}}]]
+        self.write('gap.json', json.dumps({'polygons': [
+            {'material': 'air', 'region': 'gap', 'rings': ring(10, 36)},
+            {'material': 'steel', 'region': 'rotor', 'rings': ring(9.13, 34)}]}))
+        words = ['--layers', 'gap_rotor@gap=0.43,1,1']
+        for method in 'quality', 'almond':
+            report, out, err = self.report('gap.json', *words, '--method', method)
+            [gap] = [line for region in report['regions'] for line in region.get('layers', [])]
+            self.assertEqual([part['why'] for part in gap['cut_short']], ['couplings'])
+            told = 'couplings inside would be negative'
+            self.assertIn(told + ' (--couplings last keeps all that the bound allows)', err)
+            self.assertIn(told + ', the first at', out)
+            report, _, err = self.report('gap.json', *words, '--method', method, '--couplings', 'last')
+            [gap] = [line for region in report['regions'] for line in region.get('layers', [])]
+            self.assertEqual((gap['complete'], gap['cut_short']), (34, []))
+            self.assertNotIn('does nothing', err)
+
     def test_check_of_layers(self):
         given = SAMPLES / 'mosfet_layers.json'
         self.report(given, '--split-interfaces', '--size-at', 'channel_oxide=20', '--size-at', 'oxide_gate=20')

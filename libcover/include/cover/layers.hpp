@@ -18,9 +18,10 @@ enum class LayerStop {
   end,        ///< they taper off towards an end of the line, or towards where there are fewer
   room,       ///< another segment, a point or other layers are in the way
   turned,     ///< the line bends too much for them
-  withdrawn,  ///< the rest of the region would break the bound, or have a negative coupling
+  withdrawn,  ///< the region would break the bound
+  couplings,  ///< couplings inside would be negative, which Couplings::last allows
 };
-inline constexpr std::size_t kLayerStops = 7;
+inline constexpr std::size_t kLayerStops = 8;
 
 /// "they taper off", ...; empty where nothing is cut short.
 const char* describe(LayerStop stop);

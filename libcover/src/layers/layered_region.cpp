@@ -251,6 +251,13 @@ std::string about_ends(const RegionBoundary& boundary, const Options& options,
                      describe(corner), sharpest);
 }
 
+/// Behind the reason why layers along a line are fewer.
+std::string what_helps(const RegionBoundary& boundary, const Options& options,
+                       const LayerRule& asked, LayerStop why) {
+  if (why == LayerStop::end) return about_ends(boundary, options, asked);
+  return why == LayerStop::couplings ? " (--couplings last keeps all that the bound allows)" : "";
+}
+
 /// What layers fell short of, but for their ends.
 std::vector<Note> notes_of(const RegionBoundary& boundary, const Options& options,
                            const std::vector<LayerReport>& layers) {
@@ -264,7 +271,7 @@ std::vector<Note> notes_of(const RegionBoundary& boundary, const Options& option
            fmt::format("region {}: layers along '{}' are {} on {}, the first at {}: {}{}",
                        boundary.id.value(), line.asked.line, line.most == 0 ? "missing" : "fewer",
                        counted(part.segments, "segment"), describe(part.at), describe(part.why),
-                       part.why == LayerStop::end ? about_ends(boundary, options, line.asked) : ""),
+                       what_helps(boundary, options, line.asked, part.why)),
            {part.at}});
     }
   }
@@ -281,7 +288,8 @@ class LayeredRegion {
         options_(options),
         couplings_(couplings),
         stop_(std::move(stop)),
-        most_(boundary.sides.size(), std::numeric_limits<int>::max()) {
+        most_(boundary.sides.size(), std::numeric_limits<int>::max()),
+        for_couplings_(boundary.sides.size(), false) {
     const Triangulation cdt = triangulation_of(boundary);
     limit_ = angle_limit(cdt, boundary.sides, boundary.segments);
   }
@@ -289,7 +297,9 @@ class LayeredRegion {
   RegionMesh run(const RegionMesher& mesh_rest) {
     std::optional<RegionMesh> best;
     for (int round = 0, tries = 0;; ++round) {
-      if (round == kRounds) most_.assign(most_.size(), 0);
+      if (round == kRounds) {
+        for (std::uint32_t s = 0; s < most_.size(); ++s) lower(s, 0);
+      }
       const bool everywhere = round >= kRounds / 2;
       LayerFront front(boundary_, options_.layers, most_);
       front.lay();
@@ -312,7 +322,7 @@ class LayeredRegion {
       mesh.report.method += " with layers";
       std::vector<SideLayers> sides = front.sides_in(ends_of_edges(boundary_, mesh));
       complete_filled_films(boundary_, options_.layers, front, mesh, sides);
-      tell(front, sides, mesh.report);
+      tell(front, std::move(sides), mesh.report);
       const bool again = options_.couplings != Couplings::last && tries < kTriesForCouplings &&
                          lay_fewer(front, mesh, tries++);
       if (!best || mesh.report.box.negative_inside < best->report.box.negative_inside)
@@ -333,8 +343,11 @@ class LayeredRegion {
     return mesh;
   }
 
-  void tell(const LayerFront& front, const std::vector<SideLayers>& sides,
-            RegionReport& report) const {
+  void tell(const LayerFront& front, std::vector<SideLayers> sides, RegionReport& report) const {
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+      if (sides[s].stop == LayerStop::withdrawn && for_couplings_[s])
+        sides[s].stop = LayerStop::couplings;
+    }
     report.layers = reports(boundary_, options_, front, sides);
     const std::vector<Note> notes = notes_of(boundary_, options_, report.layers);
     report.notes.insert(report.notes.end(), notes.begin(), notes.end());
@@ -384,7 +397,8 @@ class LayeredRegion {
     for (const std::uint32_t s : below) {
       const int rows = front.sides()[s].rows;
       if (rows == 0) continue;
-      most_[s] = std::min(most_[s], 2 * tries < kTriesForCouplings ? rows - 1 : rows * 2 / 3);
+      couplings_took_rows_ = true;
+      lower(s, 2 * tries < kTriesForCouplings ? rows - 1 : rows * 2 / 3);
       any = true;
     }
     return any;
@@ -397,7 +411,7 @@ class LayeredRegion {
     const auto limit = [&](std::uint32_t s) {
       const int rows = front.sides()[s].rows;
       if (rows == 0 && most_[s] == 0) return;
-      most_[s] = std::min(most_[s], rows * 2 / 3);
+      lower(s, rows * 2 / 3);
       any = true;
     };
     for (const std::uint32_t v : vertices) {
@@ -407,11 +421,20 @@ class LayeredRegion {
     for (std::uint32_t s = 0; s < most_.size(); ++s) limit(s);
   }
 
+  /// Once couplings took rows, the bound takes others only beside what they left.
+  void lower(std::uint32_t s, int rows) {
+    if (most_[s] <= rows) return;
+    most_[s] = rows;
+    for_couplings_[s] = couplings_took_rows_;
+  }
+
   const RegionBoundary& boundary_;
   const Options& options_;
   CouplingEffort couplings_;
   std::stop_token stop_;
-  std::vector<int> most_;  ///< rows, by side
+  std::vector<int> most_;            ///< rows, by side
+  std::vector<bool> for_couplings_;  ///< by side: why `most_` is as low
+  bool couplings_took_rows_ = false;
   AngleLimit limit_;
 };
 
@@ -430,7 +453,9 @@ const char* describe(LayerStop stop) {
     case LayerStop::turned:
       return "the line bends too much";
     case LayerStop::withdrawn:
-      return "the bound would break, or a coupling be negative";
+      return "the bound would break";
+    case LayerStop::couplings:
+      return "couplings inside would be negative";
   }
   return "";
 }

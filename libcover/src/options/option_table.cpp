@@ -99,9 +99,10 @@ constexpr OptionEntry kTable[] = {
                 "targets give way, the bound never does. last: angles alone decide. auto: first; "
                 "with --split-interfaces targets before couplings",
         .more = "With --split-interfaces and auto that is so in regions without layers, unless "
-                "there is --box-method, too; with first, segments are cut before meshing alone.",
-        .counts_with = "--method quality",
-        .counts = is_quality}),
+                "there is --box-method, too; with first, segments are cut before meshing alone. "
+                "Layers give way to couplings inside but with last.",
+        .counts_with = "--method quality and --layers",
+        .counts = [](const Options& o) { return is_quality(o) || !o.layers.empty(); }}),
     flag<&Options::box_method>({
         .name = "box-method",
         .help = "Cut segments until no coupling of the box method (finite volumes on Voronoi "

@@ -156,6 +156,54 @@ TEST(LayeredRegion, WithdrawsLayersWhereTheRestWouldBreakTheBound) {
   }
 }
 
+/// A ring between circles of 36 and 34 chords, called 'stator' and 'rotor'.
+Input air_gap() {
+  std::vector<Point> points;
+  std::vector<std::array<std::uint32_t, 2>> ends;
+  for (const auto& [n, radius] : {std::pair(36U, 10.0), std::pair(34U, 9.13)}) {
+    const auto first = static_cast<std::uint32_t>(points.size());
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const double turn = 2 * std::numbers::pi * k / n;
+      points.push_back({radius * std::cos(turn), radius * std::sin(turn)});
+      ends.push_back({first + k, first + (k + 1) % n});
+    }
+  }
+  Input input = testing::segments_between(points, ends);
+  for (std::size_t s = 0; s < ends.size(); ++s)
+    input.segments[s].name = s < 36 ? "stator" : "rotor";
+  input.seeds.push_back({{9.6, 0}, "1", "gap", {}, 0, 0});
+  input.seeds.push_back({{0, 0}, "2", "shaft", {}, 1, 0});
+  return input;
+}
+
+TEST(LayeredRegion, TellsWhichLayersGaveWayToCouplingsAndWhatKeepsThem) {
+  Options options = with_layers({{"rotor", "gap", 0.43, 1, 1}});
+  const Output output = testing::must_mesh(air_gap(), options);
+  const RegionReport& report = report_of(output, "gap");
+  ASSERT_EQ(report.layers.size(), 1U);
+  EXPECT_EQ(report.box.negative_inside, 0U);
+  const auto& parts = report.layers[0].cut_short;
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_EQ(parts[0].why, LayerStop::couplings);
+  EXPECT_EQ(parts[0].segments + report.layers[0].complete, 34U);
+  EXPECT_TRUE(std::any_of(report.notes.begin(), report.notes.end(), [](const Note& note) {
+    return note.message.ends_with(
+        "couplings inside would be negative (--couplings last keeps all that the bound allows)");
+  }));
+
+  options.couplings = Couplings::last;
+  const Output kept = testing::must_mesh(air_gap(), options);
+  EXPECT_TRUE(report_of(kept, "gap").bound_held);
+  EXPECT_EQ(report_of(kept, "gap").layers[0].complete, 34U);
+
+  // Of three rows some break the bound: that is the only cause there.
+  options.layers = {{"rotor", "gap", 0.2, 1, 3}};
+  const Output fewer = testing::must_mesh(air_gap(), options);
+  const auto& rest = report_of(fewer, "gap").layers[0].cut_short;
+  EXPECT_FALSE(rest.empty());
+  for (const LayerReport::Short& part : rest) EXPECT_NE(part.why, LayerStop::couplings);
+}
+
 /// What is left between them is a hair thinner than a row.
 TEST(LayeredRegion, FacesAnotherOneAcrossARowThatIsLeft) {
   Input input = two_boxes(20, 4, 0.49998);

@@ -103,9 +103,11 @@ const char* name_of(LayerStop stop) {
     case LayerStop::turned:
       return "turned";
     case LayerStop::withdrawn:
+      return "withdrawn";
+    case LayerStop::couplings:
       break;
   }
-  return "withdrawn";
+  return "couplings";
 }
 
 Json to_json(const LayerReport& layers) {

@@ -53,7 +53,7 @@
 // LAYERS line, first, growth, count (as asked for; 0: until isotropic), segments and length of
 //   the line in this region, complete (segments with all), fewest and most layers over a
 //   segment, thickness (of the most), cut_short: [ { "why": "end", "room", "turned",
-//   "withdrawn", "segments", "at": [x, y] } ]
+//   "withdrawn" (for the bound), "couplings", "segments", "at": [x, y] } ]
 // NOTES [ { "kind", "message", "where": [[x, y], ...] } ]
 //
 // Tested by tests/unit/io/report/write_report_json_test.cpp.

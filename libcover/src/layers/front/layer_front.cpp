@@ -410,7 +410,7 @@ std::vector<SideLayers> LayerFront::sides_in(std::span<const std::pair<Point, Po
     if (left[top.side].rows < top.row) continue;
     const std::pair<Point, Point> edge = std::minmax(at(top.a), at(top.b));
     if (!std::binary_search(edges.begin(), edges.end(), edge))
-      left[top.side] = {top.row - 1, LayerStop::withdrawn};
+      left[top.side] = {top.row - 1, LayerStop::couplings};
   }
   return left;
 }
