@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 
 #include <cover/text.hpp>
 
 #include "base/faults/complaint.hpp"
 #include "cdt/search/locate.hpp"
+#include "faces/beyond_chords.hpp"
 #include "geom/spatial_order.hpp"
 
 namespace cover {
@@ -68,7 +70,7 @@ InputRef ref_of(const HoleSeed& s) { return {InputKind::hole, s.id}; }
 /// The faces of some seeds, or a complaint about those on segments.
 template <class Seed>
 std::vector<std::uint32_t> faces_of(const std::vector<Seed>& seeds, FaceFinder& finder,
-                                    Complaint& complaint) {
+                                    const BeyondChords& beyond, Complaint& complaint) {
   std::vector<Point> places;
   places.reserve(seeds.size());
   for (const Seed& seed : seeds) places.push_back(seed.at);
@@ -79,7 +81,10 @@ std::vector<std::uint32_t> faces_of(const std::vector<Seed>& seeds, FaceFinder& 
   out.reserve(seeds.size());
   for (std::size_t k = 0; k < seeds.size(); ++k) {
     if (!found[k]) {
-      complaint.add(name_of_seed(seeds[k]) + " lies on a segment", {places[k]}, {ref_of(seeds[k])});
+      const bool is_chord = beyond.holds(places[k], {});
+      complaint.add(name_of_seed(seeds[k]) + " lies on a segment" +
+                        (is_chord ? fmt::format(", the chord of an arc: {}", kFinerChords) : ""),
+                    {places[k]}, {ref_of(seeds[k])});
     }
     out.push_back(found[k].value_or(kOutside));
   }
@@ -106,11 +111,47 @@ bool agree(const RegionSeed& a, const RegionSeed& b) {
          (a.region == b.region || a.region.empty() || b.region.empty());
 }
 
-void complain_of_conflict(const RegionSeed& first, const RegionSeed& second, Complaint& complaint) {
+/// Which of two seeds are beyond a chord; empty: neither.
+std::string_view which_of(bool first, bool second) {
+  if (first && second) return "both lie";
+  if (first) return "the first lies";
+  return second ? "the second lies" : "";
+}
+
+/// Behind what is wrong with seeds.
+std::string about_chords(std::string_view which) {
+  if (which.empty()) return "";
+  return fmt::format(" ({} between an arc and its chord: {})", which, kFinerChords);
+}
+
+void complain_of_conflict(const RegionSeed& first, const RegionSeed& second, std::string_view which,
+                          Complaint& complaint) {
   complaint.add(
-      fmt::format("{} and {} are in the same face but disagree on its {}", name_of_seed(first),
-                  name_of_seed(second), first.material != second.material ? "material" : "region"),
+      fmt::format("{} and {} are in the same face but disagree on its {}{}", name_of_seed(first),
+                  name_of_seed(second), first.material != second.material ? "material" : "region",
+                  about_chords(which)),
       {first.at, second.at}, {ref_of(first), ref_of(second)});
+}
+
+/// A name that got to the wrong side of a chord, where nothing else speaks against it.
+void warn_of_seeds_beyond_chords(const Pslg& pslg, const std::vector<bool>& is_beyond,
+                                 std::vector<Note>& notes) {
+  std::string first;
+  std::vector<Point> where;
+  for (std::size_t k = 0; k < is_beyond.size(); ++k) {
+    if (!is_beyond[k]) continue;
+    if (where.empty()) first = name_of_seed(pslg.seeds[k]);
+    where.push_back(pslg.seeds[k].at);
+  }
+  if (where.empty()) return;
+  const bool is_one = where.size() == 1;
+  notes.push_back(
+      {Note::Kind::warning, kVoid,
+       fmt::format("{}{} between an arc and its chord, and {} for what is beyond the "
+                   "chord; {}",
+                   first, is_one ? " lies" : fmt::format(" and {} more lie", where.size() - 1),
+                   is_one ? "holds" : "hold", kFinerChords),
+       std::move(where)});
 }
 
 /// Takes the faces over from what the PSLG says of its sides.
@@ -162,9 +203,10 @@ std::vector<std::uint32_t> faces_without_seed(const Faces& faces,
 Result<SeededFaces> apply_seeds(const Pslg& pslg, const Faces& faces, std::vector<Note>& notes) {
   if (!pslg.side_seeds.empty()) return take_sides(pslg, faces);
   FaceFinder finder(pslg, faces);
+  const BeyondChords beyond(pslg, faces);
   Complaint on_segment(ErrorCode::seed_on_segment, pslg.source);
-  const auto hole_faces = faces_of(pslg.holes, finder, on_segment);
-  const auto seed_faces = faces_of(pslg.seeds, finder, on_segment);
+  const auto hole_faces = faces_of(pslg.holes, finder, beyond, on_segment);
+  const auto seed_faces = faces_of(pslg.seeds, finder, beyond, on_segment);
   if (!on_segment.empty()) return on_segment.error();
 
   warn_of_outer_holes(pslg, hole_faces, notes);
@@ -176,14 +218,18 @@ Result<SeededFaces> apply_seeds(const Pslg& pslg, const Faces& faces, std::vecto
   out.size.resize(faces.count);
   Complaint in_void(ErrorCode::seed_in_void, pslg.source);
   Complaint conflict(ErrorCode::conflicting_seeds, pslg.source);
+  std::vector<bool> is_beyond;
+  for (std::size_t k = 0; k < pslg.seeds.size(); ++k)
+    is_beyond.push_back(beyond.holds(pslg.seeds[k].at, seed_faces[k]));
   for (std::size_t k = 0; k < pslg.seeds.size(); ++k) {
     const RegionSeed& seed = pslg.seeds[k];
     const std::uint32_t face = seed_faces[k];
     if (out.is_void[face]) {
       in_void.add(
-          name_of_seed(seed) + (face == kOutside
-                                    ? " lies outside of all segments, or what is around it is open"
-                                    : " lies in a hole"),
+          name_of_seed(seed) +
+              (face == kOutside ? " lies outside of all segments, or what is around it is open"
+                                : " lies in a hole") +
+              about_chords(is_beyond[k] ? "it lies" : ""),
           {seed.at}, {ref_of(seed)});
       continue;
     }
@@ -200,11 +246,13 @@ Result<SeededFaces> apply_seeds(const Pslg& pslg, const Faces& faces, std::vecto
                        {seed.at}});
       if (first.region.empty() && !seed.region.empty()) out.seed[face] = k;
     } else {
-      complain_of_conflict(first, seed, conflict);
+      complain_of_conflict(first, seed, which_of(is_beyond[*out.seed[face]], is_beyond[k]),
+                           conflict);
     }
   }
   if (!in_void.empty()) return in_void.error();
   if (!conflict.empty()) return conflict.error();
+  warn_of_seeds_beyond_chords(pslg, is_beyond, notes);
   return out;
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -132,6 +133,45 @@ TEST_F(SeedsOfNestedSquares, ASeedOnASegmentOrItsEndHasNoFace) {
   pslg_.seeds.clear();
   pslg_.holes = {{{8, 4}, 2, 0}};
   EXPECT_EQ(refusal(), ErrorCode::seed_on_segment);
+}
+
+TEST_F(SeedsOfNestedSquares, ASeedBetweenAnArcAndItsChordIsToldWhatMendsIt) {
+  const std::string finer = "finer chords mend that (a smaller --chord-angle";
+  pslg_.circles = {{{4.5, 4.5}, std::hypot(2.5, 2.5)}};  // through the corners of the core
+  for (std::size_t s = 8; s < 12; ++s) pslg_.segments[s].circle = 1;
+  add_seed({4.5, 1.5}, "1", "core");
+  EXPECT_EQ(applied().seed[inside(1)], 0U);
+  ASSERT_EQ(notes_.size(), 1U);
+  EXPECT_NE(notes_[0].message.find("lies between an arc and its chord, and holds for what is "
+                                   "beyond the chord; " +
+                                   finer),
+            std::string::npos)
+      << notes_[0].message;
+
+  const auto said = [&] {
+    const Result<SeededFaces> out = apply_seeds(pslg_, faces_, notes_);
+    return out ? std::string() : out.error().message;
+  };
+  add_seed({1.2, 1.2}, "1", "ring");
+  EXPECT_NE(
+      said().find("disagree on its region (the first lies between an arc and its chord: " + finer),
+      std::string::npos)
+      << said();
+  pslg_.seeds[1].at = {4.5, 2};
+  EXPECT_NE(said().find("lies on a segment, the chord of an arc: " + finer), std::string::npos);
+  pslg_.seeds.resize(1);
+  pslg_.holes = {{{1.2, 1.2}, 1, 0}};
+  EXPECT_NE(said().find("lies in a hole (it lies between an arc and its chord: " + finer),
+            std::string::npos);
+
+  // Not where the circle is another one, or another face is there.
+  pslg_.holes.clear();
+  notes_.clear();
+  pslg_.seeds[0].at = {1.2, 1.2};
+  (void)applied();
+  pslg_.seeds[0].at = {0.5, 4.5};
+  (void)applied();
+  EXPECT_TRUE(notes_.empty());
 }
 
 TEST_F(SeedsOfNestedSquares, ASeedInTheVoidIsRefused) {
