@@ -58,6 +58,14 @@ class Layouts(Case):
                            (['--window', '10,10,11,11'], 'nothing is in the window; the layout is from (-')):
             self.assertIn(why, self.run_cover('info', SAMPLES / 'finfet.gds', *words, code=2)[1])
 
+    def test_a_wrong_layer_comes_before_the_labels_that_miss_theirs(self):
+        words = ['info', SAMPLES / 'motor.dxf', '--layer', 'frame', '--layer', 'rotro', '--label-layer', 'labels']
+        done = subprocess.run([PROGRAM, *words], cwd=self.dir, timeout=60, stderr=subprocess.PIPE, text=True)
+        if 'in builds that have it' in done.stderr:
+            return
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertRegex(done.stderr, r"^cover: warning: no line or curve is on the layer 'rotro'.*\ncover: error: .* the text '")
+
     def test_drawings_and_decks_from_a_pipe(self):
         for name in ('nmos.cmd', 'nmos.str', 'motor.dxf'):
             done = subprocess.run([PROGRAM, 'info', '-'], input=(SAMPLES / name).read_bytes(), cwd=self.dir, timeout=60,

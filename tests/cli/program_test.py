@@ -352,6 +352,16 @@ class BadInput(Case):
     def test_seed_in_the_void(self):
         self.refuse(SQUARE + '1\n1 5 5 1 -1\n', 3, '(5, 5)')
 
+    def test_wrong_names_come_before_what_is_wrong_with_seeds(self):
+        square = {'points': [[0, 0], [1, 0], [1, 1], [0, 1]], 'segments': [[0, 1], [1, 2], [2, 3], [3, 0]],
+                  'regions': [{'x': 0.5, 'y': y, 'material': name} for y, name in ((0.4, 'iron'), (0.6, 'air'))]}
+        self.write('d.json', json.dumps(square))
+        words = ('mesh', 'd.json', '-o', 'd.vtu', '--size', 'iorn=1', '--size', 'air=1', '--layers', 'rim@quartz=0.1,1,1')
+        _, err = self.run_cover(*words, code=3)
+        self.assertRegex(err, "error: there is no region or material 'quartz'; there is no region or material 'iorn'; "
+                              r"did you mean 'iron'\? d.json: region seed .* disagree on its material")
+        self.assertNotIn("'air'; ", err)
+
     def test_folder_that_is_not_there(self):
         _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'no/such/d.vtu', code=5)
         self.assertIn('no/such/d.vtu', err)

@@ -37,7 +37,10 @@ int run_info(Arguments arguments) {
   if (!input) return fail(*log, input.error());
   for (const std::string& option : input_file.ignored()) log->warn("{}", option);
   const Result<Prepared> prepared = prepare(*input, *options);
-  if (!prepared) return fail(*log, prepared.error());
+  if (!prepared) {  // what readers warn of, as wrong names of layers, may be the reason
+    log_warnings(*log, input->warnings);
+    return fail(*log, prepared.error());
+  }
   const Result<BoxCosts> costs = box_costs(*prepared, *options);
   if (!costs) return fail(*log, costs.error());
   fmt::print("{}{}", info_text(*prepared, verbosity.verbose > 0),

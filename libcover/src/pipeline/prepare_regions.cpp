@@ -1,13 +1,20 @@
 // Tested by tests/unit/pipeline/cover_mesh_test.cpp.
 #include "pipeline/prepare_regions.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
+
+#include <fmt/core.h>
 
 #include <cover/option_table.hpp>
 #include <cover/periodic.hpp>
+#include <cover/text.hpp>
 #include <cover/version.hpp>
 
+#include "base/words/parse_number.hpp"
 #include "clean/pslg.hpp"
 #include "cuts/before_meshing/cut_for_layers.hpp"
 #include "cuts/before_meshing/split_interfaces.hpp"
@@ -54,6 +61,30 @@ Status cut_before_meshing(Prepared& prepared, const Options& options, Held held)
   return status;
 }
 
+/// "there is no region or material 'coper'; did you mean 'copper'? " of names in options that no
+/// seed has. Where seeds are refused, nothing else looks at names.
+std::string names_of_no_seed(const Pslg& pslg, const Options& options) {
+  std::vector<std::string> given;
+  for (const RegionSeed& seed : pslg.seeds) {
+    given.push_back(seed.region);
+    given.push_back(seed.material);
+  }
+  std::string told;
+  const auto look_at = [&](const std::string& name) {
+    const bool is_made = parse_number<int>(name) || name.starts_with("region:") ||
+                         name.starts_with("material_") || name == "unnamed";
+    if (is_made || std::find(given.begin(), given.end(), name) != given.end()) return;
+    const std::string meant = did_you_mean(name, given);
+    told +=
+        fmt::format("there is no region or material '{}'{} ", name, meant.empty() ? ";" : meant);
+  };
+  for (const LayerRule& rule : options.layers)
+    if (!rule.region.empty()) look_at(rule.region);
+  for (const SizeRule& rule : options.sizes)
+    if (!rule.at && !rule.name.empty()) look_at(rule.name);
+  return told;
+}
+
 /// `release` gives the input back, if it may go.
 template <class Release>
 Result<PreparedRegions> prepared_from(const Input& input, Release release, const Options& options,
@@ -76,7 +107,12 @@ Result<PreparedRegions> prepared_from(const Input& input, Release release, const
   Result<TriangulatedTable> made = by_team("regions", worker_count(options), [&](const Team& team) {
     return build_triangulated_table(prepared.pslg, options, report.notes, std::move(whole), team);
   });
-  if (!made) return std::move(made).error();
+  if (!made) {
+    Error error = std::move(made).error();
+    if (std::string told = names_of_no_seed(prepared.pslg, options); !told.empty())
+      error.message = std::move(told) + error.message;
+    return error;
+  }
   prepared.table = std::move(made->table);
   Status joined = errors_as_values("periodic sides", [&] {
     return join_periodic_sides(prepared.pslg, prepared.table, rules, options, report);
