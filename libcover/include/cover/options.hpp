@@ -69,8 +69,8 @@ struct SizeRule {
   bool at = false;   ///< true: at the named line or point; false: inside the named region
   /// The length as a function of the place, "0.1 + 0.3*abs(y)"; empty: `size`. It has numbers, x,
   /// y, pi, ( ), + - * / ^ (to the right, before a sign: -2^2 is -4), and functions: min and max
-  /// of one or more values, abs, sqrt, exp, log (natural), sin, cos (radians), asinh, tanh. Where
-  /// it is no number above zero there is no wish. Not with `at`.
+  /// of one or more values, hypot(x, y) and atan2(y, x), abs, sqrt, exp, log (natural), sin, cos
+  /// (radians), asinh, tanh. Where it is no number above zero there is no wish. Not with `at`.
   std::string expression{};
 };
 

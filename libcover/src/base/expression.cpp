@@ -54,6 +54,8 @@ class ExpressionParser {
                                                        {"sin", Operation::sin},
                                                        {"sqrt", Operation::sqrt},
                                                        {"tanh", Operation::tanh}}};
+  static constexpr std::array<Function, 2> kFunctionsOfTwo{
+      {{"hypot", Operation::hypot}, {"atan2", Operation::atan2}}};
   friend bool is_function_name(std::string_view word);
 
   /// Nothing follows an error: the rest of the text is passed over.
@@ -156,15 +158,22 @@ class ExpressionParser {
     while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
     const std::string_view name = text_.substr(first, at_ - first);
     if (next() != '(') return value_of(name, first);
-    const auto* const function = std::find_if(kFunctions.begin(), kFunctions.end(),
-                                              [&](const Function& f) { return f.name == name; });
+    const auto is_called = [&](const Function& f) { return f.name == name; };
+    const auto* const function = std::find_if(kFunctions.begin(), kFunctions.end(), is_called);
+    const auto* const of_two =
+        std::find_if(kFunctionsOfTwo.begin(), kFunctionsOfTwo.end(), is_called);
     const bool several = name == "min" || name == "max";
-    if (function == kFunctions.end() && !several)
+    if (function == kFunctions.end() && of_two == kFunctionsOfTwo.end() && !several)
       return fail(first, fmt::format("there is no function '{}'; there are min, max, {}", name,
                                      function_names()));
     expect('(');
     sum(depth);
-    if (!several) add(function->operation);
+    if (function != kFunctions.end()) add(function->operation);
+    if (of_two != kFunctionsOfTwo.end()) {
+      expect(',');
+      sum(depth);
+      add(of_two->operation);
+    }
     while (several && !error_ && take(',')) {
       sum(depth);
       add(name == "min" ? Operation::min : Operation::max);
@@ -183,7 +192,9 @@ class ExpressionParser {
 
   static std::string function_names() {
     std::string out;
-    for (const Function& f : kFunctions) out += (out.empty() ? "" : ", ") + std::string(f.name);
+    for (const Function& f : kFunctionsOfTwo) out += std::string(f.name) + ", ";
+    for (const Function& f : kFunctions)
+      out += (&f == kFunctions.begin() ? "" : ", ") + std::string(f.name);
     return out;
   }
 
@@ -240,6 +251,10 @@ double Expression::of_two(Operation operation, double x, double y) {
       return x <= y ? x : x > y ? y : x + y;
     case Operation::max:
       return x >= y ? x : x < y ? y : x + y;
+    case Operation::hypot:
+      return std::hypot(x, y);
+    case Operation::atan2:
+      return std::atan2(x, y);
     default:
       return std::nan("");
   }

@@ -12,9 +12,10 @@
 namespace cover {
 
 /// A formula such as "0.1 + 0.3*abs(y)". It has numbers, names, pi, ( ), + - * / ^ (to the right,
-/// before a sign: -2^2 is -4), and the functions min and max of one or more values, abs, sqrt, exp,
-/// log (natural), sin, cos (radians), asinh and tanh. Names that are not made of letters, digits
-/// and '_' stand in single quotes. Immutable; to be called from several threads at a time.
+/// before a sign: -2^2 is -4), and the functions min and max of one or more values, hypot(x, y) and
+/// atan2(y, x) of two, abs, sqrt, exp, log (natural), sin, cos (radians), asinh and tanh. Names
+/// that are not made of letters, digits and '_' stand in single quotes. Immutable; to be called
+/// from several threads at a time.
 class Expression {
  public:
   /// `names` may stand in the text for values; the i-th value of a call is that of `names[i]`.
@@ -47,6 +48,8 @@ class Expression {
     power,
     min,
     max,
+    hypot,
+    atan2,
     abs,
     sqrt,
     exp,
@@ -62,7 +65,7 @@ class Expression {
     std::uint32_t name = 0;
   };
   static constexpr bool takes_two(Operation operation) {
-    return operation >= Operation::plus && operation <= Operation::max;
+    return operation >= Operation::plus && operation <= Operation::atan2;
   }
   static double of_one(Operation operation, double x);
   static double of_two(Operation operation, double x, double y);

@@ -112,9 +112,10 @@ constexpr OptionEntry kTable[] = {
         .help = "Edge length inside: everywhere (h), or in a region or material (NAME=h), by name, "
                 "number of the material, or region:ID; a number or an expression of x and y",
         .more = "The ID is the number that reports give a region. Expressions, as 0.1+0.3*abs(y), "
-                "have + - * / ^, pi, min, max, abs, sqrt, exp, log, sin, cos, asinh, tanh; where "
-                "they are no number above zero they ask for nothing; where they fall to zero, "
-                "--min-size must say what counts. Where several sizes hold, the smallest counts."}),
+                "have + - * / ^, pi, min, max, hypot(x,y), atan2(y,x), abs, sqrt, exp, log, sin, "
+                "cos, asinh, tanh; where they are no number above zero they ask for nothing; where "
+                "they fall to zero, --min-size must say what counts. Where several sizes hold, the "
+                "smallest counts."}),
     sizes<true>({
         .name = "size-at", .placeholder = "NAME=h",
         .help = "Edge length at an interface, a contact or a point (NAME=h)",

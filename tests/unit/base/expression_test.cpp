@@ -47,6 +47,9 @@ TEST(Expression, HasTheValueOfTheUsualPrecedence) {
   EXPECT_EQ(value("log(x)", 10), std::log(10.0));
   EXPECT_EQ(value("sin(x)+cos(y)", 1, 2), std::sin(1.0) + std::cos(2.0));
   EXPECT_EQ(value("asinh(x)-tanh(y)", 7, 2), std::asinh(7.0) - std::tanh(2.0));
+  EXPECT_EQ(value("hypot(x, y - 1)", 3, 5), 5);
+  EXPECT_EQ(value("2*atan2(y, x)+1", -3, 2), 2 * std::atan2(2.0, -3.0) + 1);
+  EXPECT_EQ(value("hypot(hypot(x, 4), max(y, 12))", 3, 0), 13);
   EXPECT_EQ(value("2*'P Doping'", 0, 0, 4), 8);
 }
 
@@ -69,8 +72,10 @@ TEST(Expression, MistakesHaveColumns) {
             "something in ( )");
   EXPECT_EQ(
       refusal("2*tan(1)"),
-      "'2*tan(1)', column 3: there is no function 'tan'; there are min, max, abs, asinh, cos, "
-      "exp, log, sin, sqrt, tanh");
+      "'2*tan(1)', column 3: there is no function 'tan'; there are min, max, hypot, atan2, abs, "
+      "asinh, cos, exp, log, sin, sqrt, tanh");
+  EXPECT_EQ(refusal("hypot(1)"), "'hypot(1)', column 8: expected ','");
+  EXPECT_EQ(refusal("atan2(1,2,3)"), "'atan2(1,2,3)', column 10: expected ')'");
   EXPECT_EQ(refusal("abs"),
             "'abs', column 1: there is no 'abs'; there are x, y, P Doping, pi, and functions of "
             "something in ( )");
@@ -89,6 +94,7 @@ TEST(Expression, TellsWhichNamesItUses) {
   EXPECT_FALSE(e->uses(2));
   EXPECT_TRUE(is_function_name("asinh"));
   EXPECT_FALSE(is_function_name("min"));
+  EXPECT_FALSE(is_function_name("hypot"));
 }
 
 /// A random text and its value at x = 0.75, y = -1.5, computed beside it.
@@ -102,7 +108,7 @@ std::pair<std::string, double> random_formula(std::mt19937& random, int depth) {
   }
   const auto [a, u] = random_formula(random, depth - 1);
   const auto [b, v] = random_formula(random, depth - 1);
-  switch (pick(8)) {
+  switch (pick(10)) {
     case 0:
       return {"(" + a + "+" + b + ")", u + v};
     case 1:
@@ -117,6 +123,10 @@ std::pair<std::string, double> random_formula(std::mt19937& random, int depth) {
       return {"max(" + a + "," + b + ")", u >= v ? u : u < v ? v : NAN};
     case 6:
       return {"(-(" + a + "))", -u};
+    case 7:
+      return {"hypot(" + a + "," + b + ")", std::hypot(u, v)};
+    case 8:
+      return {"atan2(" + a + ", " + b + ")", std::atan2(u, v)};
     default:
       return {"tanh(" + a + ")", std::tanh(u)};
   }
@@ -135,8 +145,8 @@ TEST(Expression, RandomFormulas) {
 
 /// Whatever stands there, there is an end and no crash.
 TEST(Expression, RandomTexts) {
-  constexpr std::string_view kPieces[] = {"(", ")",    "+",    "-", "^", "*", "/", ",", "x",
-                                          "1", "min(", "abs(", "'", " ", ".", "e", "\0"};
+  constexpr std::string_view kPieces[] = {"(", ")",    "+",    "-",      "^", "*", "/", ",", "x",
+                                          "1", "min(", "abs(", "atan2(", "'", " ", ".", "e", "\0"};
   std::size_t read = 0;
   for (unsigned seed = 0; seed < 20000; ++seed) {
     std::mt19937 random(seed);
