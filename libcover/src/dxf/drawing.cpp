@@ -15,6 +15,7 @@
 
 #include "base/numbers.hpp"
 #include "dxf/group_text.hpp"
+#include "geom/turn.hpp"
 
 namespace cover {
 namespace {
@@ -79,6 +80,7 @@ class Builder : public DL_CreationAdapter {
     }
     while (arc.to <= arc.from) arc.to += 360;
     while (arc.to - arc.from > 360) arc.to -= 360;
+    if (is_full_turn(d.angle1, d.angle2)) arc.to = arc.from + 360;
     add_round(arc);
   }
   void addCircle(const DL_CircleData& d) override {

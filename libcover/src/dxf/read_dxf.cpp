@@ -21,6 +21,7 @@
 #include "dxf/place_blocks.hpp"
 #include "dxf/spline.hpp"
 #include "geom/curves/arc.hpp"
+#include "geom/turn.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 #include "io/input/drawings/curves.hpp"
@@ -191,7 +192,7 @@ class DxfConverter {
       const double turn = Angle::radians(std::atan2(place.d, place.a)).in_degrees();
       const double way = place.is_mirrored() ? -1 : 1;
       out.from = turn + way * arc.from;
-      out.to = turn + way * arc.to;
+      out.to = is_full_turn(arc.from, arc.to) ? out.from + way * 360 : turn + way * arc.to;
     }
     out.step = step_for(out.radius);
     return out;
@@ -260,13 +261,13 @@ class DxfConverter {
     const Affine shape{e.major.x, e.minor.x, e.centre.x, e.major.y, e.minor.y, e.centre.y};
     const Affine whole = place.after(shape);
     const double radius = std::max(std::hypot(whole.a, whole.d), std::hypot(whole.b, whole.e));
-    const double pieces = std::max(e.to - e.from == 360 ? 3.0 : 1.0,
+    const double pieces = std::max(is_full_turn(e.from, e.to) ? 3.0 : 1.0,
                                    std::ceil((e.to - e.from) / step_for(radius) - 1e-9));
     if (!(pieces < static_cast<double>(room()))) return too_many();
     Path path;
     for (double k = 0; k <= pieces; ++k)
       path.push_back(whole(point_on_circle({0, 0}, 1, e.from + (e.to - e.from) * k / pieces)));
-    if (e.to - e.from == 360) path.back() = path.front();
+    if (is_full_turn(e.from, e.to)) path.back() = path.front();
     add_path(std::move(path));
   }
 

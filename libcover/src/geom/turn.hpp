@@ -1,9 +1,12 @@
 // Turns by an angle in degrees, as drawings have them.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include <cover/angle.hpp>
+
+#include "geom/ulp.hpp"
 
 namespace cover {
 
@@ -12,6 +15,13 @@ inline double reduced_degrees(double degrees) {
   double r = std::fmod(degrees, 360);
   if (r < 0) r += 360;
   return r < 360 ? r : 0;  // -1e-20 + 360 rounds up to 360
+}
+
+/// Whether it is once around from one angle to the other, up to the rounding of both and of their
+/// difference: 1.2 and 361.2 as doubles are not 360 apart.
+inline bool is_full_turn(double from, double to) {
+  const double spacing = spacing_at(std::max(std::abs(from), std::abs(to)));
+  return std::abs(std::abs(to - from) - 360) <= 2 * spacing;
 }
 
 /// A turn counter-clockwise.

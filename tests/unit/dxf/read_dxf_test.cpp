@@ -125,6 +125,18 @@ TEST(ReadDxf, AnArcOverZeroDegreesGoesOn) {
   EXPECT_NEAR(area_of(d), polygon_area(72) / 2, 1e-12);
 }
 
+TEST(ReadDxf, AnArcOf360DegreesIsACircle) {
+  for (const double from : {1.2, 1.3, 0.7, 359.9}) {
+    DxfWriter d;
+    d.begin_entities();
+    d.entity("ARC", "0",
+             {{10, 0}, {20, 0}, {40, 1}, {50, from}, {51, std::round(from * 10 + 3600) / 10}});
+    const Input input = read(d.finish());
+    EXPECT_EQ(input.points.size(), 72U) << from;
+    EXPECT_EQ(input.segments.size(), 72U) << from;
+  }
+}
+
 TEST(ReadDxf, BulgesAreArcs) {
   // Two half circles; the second one is drawn clockwise into the square.
   DxfWriter d;

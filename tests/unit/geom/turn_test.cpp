@@ -27,6 +27,15 @@ TEST(Turn, ADirectionIsOneHoweverItIsGiven) {
   EXPECT_EQ(reduced_degrees(-1e-20), 0);
 }
 
+TEST(Turn, OnceAroundIsFullUpToRounding) {
+  for (int k = -3600; k < 7200; ++k) {
+    EXPECT_TRUE(is_full_turn(k / 10.0, (k + 3600) / 10.0)) << k;
+    EXPECT_TRUE(is_full_turn((k + 3600) / 10.0, k / 10.0)) << k;
+    EXPECT_FALSE(is_full_turn(k / 10.0, (k + 3600) / 10.0 + 1e-11)) << k;
+    EXPECT_FALSE(is_full_turn(k / 10.0, k / 10.0)) << k;
+  }
+}
+
 TEST(Turn, OthersAreRounded) {
   const Turn turn = Turn::by_degrees(30);
   EXPECT_NEAR(turn.cosine, std::sqrt(3) / 2, 1e-15);

@@ -44,9 +44,12 @@ void CurveCutter::add(const Arc& arc) {
   circle.step = std::min(circle.step, arc.step);
   const Arc& coarsest = circle.coarsest;
   if (arc.chords > 0 && (coarsest.chords == 0 || arc.step > coarsest.step)) circle.coarsest = arc;
-  if (arc.full() && arc.from == 0) return;  // a plain circle has no ends
-  circle.ends.push_back(reduced_degrees(arc.from));
-  circle.ends.push_back(reduced_degrees(arc.to));
+  if (!arc.full()) {
+    circle.ends.push_back(reduced_degrees(arc.from));
+    circle.ends.push_back(reduced_degrees(arc.to));
+  } else if (arc.seam() != 0) {  // a plain circle has no ends
+    circle.ends.push_back(reduced_degrees(arc.seam()));
+  }
 }
 
 bool CurveCutter::cut(Circle& circle, std::size_t most) {
@@ -75,10 +78,11 @@ std::array<std::size_t, 2> CurveCutter::chords_of(const Circle& circle, const Ar
     const auto at = std::lower_bound(angles.begin(), angles.end(), reduced_degrees(angle));
     return static_cast<std::size_t>(at - angles.begin()) % angles.size();
   };
+  if (arc.full()) return {index(arc.seam()), angles.size()};
   const bool clockwise = arc.to < arc.from;
   const std::size_t first = index(clockwise ? arc.to : arc.from);
   const std::size_t last = index(clockwise ? arc.from : arc.to);
-  return {first, arc.full() ? angles.size() : (last + angles.size() - first) % angles.size()};
+  return {first, (last + angles.size() - first) % angles.size()};
 }
 
 std::optional<std::vector<Point>> CurveCutter::points(const Arc& arc, std::size_t most) {
@@ -106,7 +110,7 @@ std::vector<std::string> CurveCutter::finer_than_asked() const {
     if (arc.step <= circle.step * (1 + 1e-9)) continue;
     const std::size_t chords = chords_of(circle, arc)[1];
     if (chords <= static_cast<std::size_t>(arc.chords)) continue;
-    const bool is_circle = arc.full() && arc.from == 0;
+    const bool is_circle = arc.full() && arc.seam() == 0;
     sentences.push_back(fmt::format(
         "the {} around {} of radius {}{} asks for {} and gets {}: curves on one circle share their "
         "points, so the shortest chords count for all of them",

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -13,6 +14,8 @@
 
 #include <cover/arcs.hpp>
 #include <cover/point.hpp>
+
+#include "geom/turn.hpp"
 
 namespace cover {
 
@@ -25,7 +28,9 @@ struct Arc {
   double to = 360;
   double step = 120;  ///< largest angle that one chord may span
   long chords = 0;    ///< as many were asked for, and the step is theirs; 0: as the step says
-  [[nodiscard]] bool full() const { return to - from == 360 || from - to == 360; }
+  [[nodiscard]] bool full() const { return is_full_turn(from, to); }
+  /// Both ends of a full circle: the angle of the two that was rounded less.
+  [[nodiscard]] double seam() const { return std::abs(to) < std::abs(from) ? to : from; }
 };
 
 /// The largest angle, in degrees and at most 120, of a chord that leaves its arc by no more than

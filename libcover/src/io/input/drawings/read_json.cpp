@@ -139,7 +139,7 @@ class InputReader {
       arc.from = json_.number(json_.required(*curve, "from"));
       arc.to = json_.number(json_.required(*curve, "to"));
     }
-    const double sweep = std::abs(arc.to - arc.from);
+    const double sweep = arc.full() ? 360 : std::abs(arc.to - arc.from);
     if (!(sweep > 0 && sweep <= 360))
       json_.fail(*curve, "an arc spans more than 0 and at most 360 degrees");
     arc.step = read_step(*curve, arc.radius, sweep, circle ? 3 : 1);

@@ -99,6 +99,21 @@ TEST(CurveCutter, TellsOfNumbersOfChordsThatDoNotCount) {
                       "count for all of them"});
 }
 
+TEST(CurveCutter, ClosesAFullArcOnItsFirstPointWhereverThatIs) {
+  for (int k = -3600; k < 3600; ++k) {
+    const double from = k / 10.0, to = (k + 3600) / 10.0;
+    for (const Arc& arc : {Arc{{0, 0}, 10, from, to, 15}, Arc{{0, 0}, 10, to, from, 15}}) {
+      ASSERT_TRUE(arc.full()) << from;
+      CurveCutter cutter;
+      cutter.add(arc);
+      const std::vector<Point> points = cut(cutter, arc);
+      ASSERT_EQ(points.size(), 25U) << from;
+      EXPECT_EQ(points.front(), points.back()) << from;
+    }
+  }
+  EXPECT_FALSE((Arc{{0, 0}, 10, 1.3, 361.3 - 1e-12, 15}).full());
+}
+
 TEST(CurveCutter, GivesTheSameArcBackwardsFromItsOtherEnd) {
   CurveCutter cutter;
   const Arc there{{0, 0}, 1, 17, 113, 7}, back{{0, 0}, 1, 113, 17, 7};

@@ -78,6 +78,17 @@ TEST(ReadJson, CutsCurvesOnceForBothNeighbours) {
     EXPECT_NE(std::find(circle.begin(), circle.end(), sector[k]), circle.end());
 }
 
+TEST(ReadJson, AnArcOf360DegreesEndsOnItsFirstPoint) {
+  for (const char* ends : {R"("from": 1.3, "to": 361.3)", R"("from": 361.2, "to": 1.2)",
+                           R"("from": 359.7, "to": 719.7)"}) {
+    const Input input = read(fmt::format(
+        R"({{"segments": [{{"arc": {{"centre": [0, 0], "radius": 1, {}, "chords": 24}}}}]}})",
+        ends));
+    EXPECT_EQ(input.points.size(), 24U) << ends;
+    EXPECT_EQ(input.segments.size(), 24U) << ends;
+  }
+}
+
 TEST(ReadJson, TurnsCurvesIntoSegmentsOfAPslg) {
   const Input input = read(R"({
     "points": [[1, 0], [-1, 0], [0, 3]],
