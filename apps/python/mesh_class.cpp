@@ -174,8 +174,7 @@ py::object report_of(const PyMesh& mesh) {
 /// manifest is written.
 std::vector<std::string> losses_of(const Output& output, const std::string& path,
                                    const std::string& extension, const WriteOptions& options) {
-  if (extension == ".svg" || extension == ".png" || extension == ".poly" || extension == ".json")
-    return {};
+  if (extension == ".svg" || extension == ".png" || extension == ".json") return {};
   const std::string file = path.substr(path.rfind('/') + 1);
   std::vector<std::string> sentences;
   const auto tell = [&](const char* what, const std::vector<std::string>& names,
@@ -188,10 +187,11 @@ std::vector<std::string> losses_of(const Output& output, const std::string& path
   for (const PeriodicNodes& nodes : output.periodic) sides.push_back(describe(nodes.rule));
   for (const NamedPoint& point : output.pslg.named_points) points.push_back(point.name);
   for (const PlaneField::Array& field : output.fields) values.push_back(field.name);
-  tell("attributes", attributes, attribute_formats());
+  const bool is_geometry = extension == ".poly";
+  if (!is_geometry) tell("attributes", attributes, attribute_formats());
   tell("pairs on periodic sides", sides, periodic_formats());
-  tell("names of points", points, point_formats(options));
-  tell("values at points", values, value_formats());
+  if (!is_geometry) tell("names of points", points, point_formats(options));
+  if (!is_geometry) tell("values at points", values, value_formats());
   const std::size_t rounded = extension == ".inp" ? points_rounded_by_inp(output, options) : 0;
   if (rounded > 0)
     sentences.push_back(counted(rounded, "point") + " in " + file +

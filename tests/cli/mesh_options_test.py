@@ -27,6 +27,9 @@ class Periodic(Case):
             self.assertNotIn('periodic', err)
         _, err = self.run_cover('convert', 'a.vtu', '-o', 'b.msh', '-o', 'b.inp')
         self.assertIn("pairs on periodic sides ('left=1' and 'right') are not in b.inp: ", err)
+        for words in ('mesh', 'cell.json', *rule), ('convert', 'a.vtu'):
+            self.assertIn("pairs on periodic sides ('left=1' and 'right') are not in b.poly: ",
+                          self.run_cover(*words, '-o', 'b.poly')[1])
 
     def test_what_cuts_one_side_cuts_the_other(self):
         out, _ = self.run_cover('mesh', 'cell.json', '--periodic', '"left=1"=right', '--split-interfaces', '--size', '0.3',

@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import pickle
+import re
 import signal
 import subprocess
 import sys
@@ -120,6 +121,9 @@ class Notes(Case):
         doped = cover.mesh_file(DATA / 'nmos.tif')
         doped.save(self.dir / 'x.mesh')
         self.assertTrue(any(note.startswith('values at points (') for note in doped.notes))
+        cell = cover.mesh_file(DATA / 'motor_pole.json')
+        cell.save(self.dir / 'c.poly')
+        self.assertTrue(any(re.match('pairs on periodic sides .* not in c.poly', note) for note in cell.notes), cell.notes)
 
 
 class Pictures(Case):

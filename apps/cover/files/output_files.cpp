@@ -162,7 +162,8 @@ std::vector<std::string> OutputFiles::warnings(const std::vector<Attribute>& att
     if (!writes(".vtm"))
       sentences.push_back(
           lost("texts", tables_of(attributes), word_formats(), attribute_formats()));
-    sentences.push_back(lost("pairs on periodic sides", sides, periodic_formats()));
+    sentences.push_back(
+        lost("pairs on periodic sides", sides, periodic_formats(), write_formats()));
     if (!writes(".vtm"))
       sentences.push_back(
           lost("names of points", first_of_all(points), point_formats(write_options())));
@@ -232,12 +233,16 @@ bool OutputFiles::writes(std::string_view extension) const {
 std::string OutputFiles::lost(std::string_view what, const std::vector<std::string>& names,
                               const std::vector<std::string>& holding,
                               const std::vector<std::string>& among) const {
-  const std::vector<std::string> known = among.empty() ? write_formats() : among;
+  std::vector<std::string> known = among;
+  if (known.empty()) {  // a .poly is geometry
+    known = write_formats();
+    std::erase(known, ".poly");
+  }
   std::vector<std::string> without;
   for (const std::string& path : meshes_) {
     const std::string extension = extension_of_output(path, format_);
-    const bool is_mesh = is_among(known, extension) && extension != ".poly" && extension != ".json";
-    if (is_mesh && !is_among(holding, extension)) without.push_back(name_of(path));
+    if (is_among(known, extension) && extension != ".json" && !is_among(holding, extension))
+      without.push_back(name_of(path));
   }
   return not_held(what, names, without, holding);
 }

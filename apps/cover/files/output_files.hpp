@@ -105,7 +105,7 @@ class OutputFiles {
   [[nodiscard]] std::string rounding(const Output& output) const;
   [[nodiscard]] std::string lines_left_out(const RegionTable& table) const;
   /// That files hold none of what is called so: all but those in a format that is `holding`. Only
-  /// files in a format that is `among` count, where there are any.
+  /// files in a format that is `among` count, or meshes where there are none.
   [[nodiscard]] std::string lost(std::string_view what, const std::vector<std::string>& names,
                                  const std::vector<std::string>& holding,
                                  const std::vector<std::string>& among = {}) const;

@@ -120,7 +120,9 @@ Status write_pvtu(const Output& output, const std::string& path, const WriteOpti
 /// Errors: bad_option, cannot_write, cancelled
 Status write_vtm(const Output& output, const std::string& path, const WriteOptions& options = {});
 
-/// Writes the clean PSLG as Triangle's .poly, 17 digits, with region and hole seeds.
+/// Writes the clean PSLG as Triangle's .poly, 17 digits, with region and hole seeds. Segments of
+/// named lines that have no marker get a number that is no marker, one for each name; comments tell
+/// names.
 ///
 /// Errors: cannot_write, cancelled
 Status write_poly(const Pslg& pslg, const RegionTable& table, const std::string& path,

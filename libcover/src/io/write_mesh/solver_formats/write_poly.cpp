@@ -1,6 +1,6 @@
 // Triangle's .poly with everything in one file. Each region gets a seed with its material and each
-// enclosed void face a hole, so that a reader needs no rule about unseeded faces; names, for which
-// the format has no place, stand in comments.
+// enclosed void face a hole, so that a reader needs no rule about unseeded faces; named lines get
+// numbers as markers; names, for which the format has no place, stand in comments.
 // Tested by tests/unit/io/write_mesh/solver_formats/write_poly_test.cpp.
 #include <cover/write_mesh.hpp>
 
@@ -8,8 +8,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <set>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "base/faults/out_of_memory.hpp"
 #include "io/files/atomic_file.hpp"
@@ -29,23 +33,51 @@ void write_points(std::string& text, const Pslg& pslg) {
   }
 }
 
-void write_segments(std::string& text, const Pslg& pslg) {
-  const bool marked = std::any_of(pslg.segments.begin(), pslg.segments.end(),
-                                  [](const Segment& s) { return s.marker != 0; });
-  text += fmt::format("{} {}\n", pslg.segments.size(), marked ? 1 : 0);
-  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
-    const Segment& segment = pslg.segments[s];
-    text += fmt::format("{} {} {}", s + 1, segment.a.value() + 1, segment.b.value() + 1);
-    if (marked) text += fmt::format(" {}", segment.marker);
-    text.push_back('\n');
-  }
-}
-
 /// A name that does not end its comment line.
 std::string on_one_line(std::string name) {
   std::replace_if(
       name.begin(), name.end(), [](unsigned char c) { return c < ' '; }, ' ');
   return name;
+}
+
+/// By SegmentId: the input's marker; else, of a named line, a number that is no marker.
+std::vector<int> markers_of(const Pslg& pslg) {
+  std::set<int> taken{0};
+  for (const Segment& segment : pslg.segments) taken.insert(segment.marker);
+  std::map<std::uint32_t, int> of_name;  // in the order of names, whatever that of segments is
+  for (const Segment& segment : pslg.segments)
+    if (segment.marker == 0 && !pslg.names[segment.name].empty()) of_name[segment.name] = 0;
+  int next = 0;
+  for (auto& [name, marker] : of_name) {
+    while (taken.contains(next)) ++next;
+    marker = next++;
+  }
+  std::vector<int> markers;
+  markers.reserve(pslg.segments.size());
+  for (const Segment& segment : pslg.segments) {
+    const auto named = of_name.find(segment.name);
+    markers.push_back(segment.marker != 0 || named == of_name.end() ? segment.marker
+                                                                    : named->second);
+  }
+  return markers;
+}
+
+void write_segments(std::string& text, const Pslg& pslg) {
+  const std::vector<int> markers = markers_of(pslg);
+  std::set<std::pair<int, std::uint32_t>> named;
+  for (std::size_t s = 0; s < markers.size(); ++s)
+    if (!pslg.names[pslg.segments[s].name].empty())
+      named.emplace(markers[s], pslg.segments[s].name);
+  for (const auto& [marker, name] : named)
+    text += fmt::format("# marker {}: {}\n", marker, on_one_line(pslg.names[name]));
+  const bool marked = std::any_of(markers.begin(), markers.end(), [](int m) { return m != 0; });
+  text += fmt::format("{} {}\n", pslg.segments.size(), marked ? 1 : 0);
+  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+    const Segment& segment = pslg.segments[s];
+    text += fmt::format("{} {} {}", s + 1, segment.a.value() + 1, segment.b.value() + 1);
+    if (marked) text += fmt::format(" {}", markers[s]);
+    text.push_back('\n');
+  }
 }
 
 constexpr std::string_view kUnnamed = "unnamed";

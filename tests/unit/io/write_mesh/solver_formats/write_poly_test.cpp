@@ -7,10 +7,12 @@
 #include <cover/write_mesh.hpp>
 
 #include "clean/pslg.hpp"
+
 #include "region/region_graph.hpp"
 #include "support/inputs/inputs.hpp"
 #include "support/inputs/soups.hpp"
 #include "support/temporary_folder.hpp"
+#include "unit/io/write_mesh/written_text.hpp"
 
 namespace cover {
 namespace {
@@ -60,6 +62,29 @@ TEST(WritePoly, KeepsEveryBitAndRegion) {
   }
   input.point_markers.assign(input.points.size(), -3);
   expect_round_trip(input);
+}
+
+TEST(WritePoly, NumbersNamedLines) {
+  Input input = testing::input_of({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
+  for (InputSegment& segment : input.segments) segment.name = "gate";
+  input.segments[1].name = "dra\nin";
+  input.segments[2].marker = 1;  // a number of the input stays, with the name that it has
+  input.segments[3].name = "";
+  const Clean clean = prepare_clean(input);
+  const testing::TemporaryFolder folder;
+  const std::string path = (folder.path() / "named.poly").string();
+  ASSERT_TRUE(write_poly(clean.pslg, clean.table, path));
+  const std::string text = testing::content(path);
+  EXPECT_NE(text.find("# segments\n# marker 1: gate\n# marker 2: gate\n# marker 3: dra in\n4 1\n"),
+            std::string::npos)
+      << text;
+  const auto again = read_input(path);
+  ASSERT_TRUE(again) << again.error().message;
+  ASSERT_EQ(again->segments.size(), 4U);
+  EXPECT_EQ(again->segments[0].marker, 2);
+  EXPECT_EQ(again->segments[1].marker, 3);
+  EXPECT_EQ(again->segments[2].marker, 1);
+  EXPECT_EQ(again->segments[3].marker, 0);
 }
 
 TEST(WritePoly, WritesHolesForUnseededFaces) {
