@@ -198,6 +198,12 @@ std::vector<std::string> losses_of(const Output& output, const std::string& path
                         (rounded == 1 ? " is" : " are") +
                         " rounded: readers of .inp take 20 characters of a coordinate; other "
                         "formats keep all digits");
+  const std::size_t beyond = extension == ".inp" ? points_beyond_axis(output, options) : 0;
+  if (beyond > 0)
+    sentences.push_back(counted(beyond, "point") + " in " + file +
+                        (beyond == 1 ? " has" : " have") +
+                        " x < 0: solvers refuse axisymmetric elements (CAX) there, the axis is x = "
+                        "0");
   return sentences;
 }
 

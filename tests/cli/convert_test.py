@@ -586,6 +586,15 @@ class NamedPoints(Case):
             for extension in 'vtm', 'vtu', 'inp', 'msh':
                 self.assertEqual(names(f'm.{extension}'), expected, (extension, order))
 
+    def test_points_beyond_the_axis_of_a_deck_are_told(self):
+        self.write('s.json', json.dumps({'polygons': [{'material': 'Si', 'rings': [[[-1, 0], [1, 0], [1, 1], [-1, 1]]]}]}))
+        told = ' in s.inp have x < 0: solvers refuse axisymmetric elements (--inp-element CAX) there, the axis is x = 0'
+        for words in ('mesh', 's.json'), ('convert', 'mesh.vtm'):
+            self.assertIn('2 points' + told, self.run_cover(*words, '--inp-element', 'CAX', '-o', 's.inp', '-o', f'{words[0]}.vtm')[1])
+            self.assertNotIn('x < 0', self.run_cover(*words, '--inp-element', 'CPS', '-o', 's.inp')[1])
+        self.write('r.json', json.dumps({'polygons': [{'material': 'Si', 'rings': [[[-0.0, 0], [1, 0], [1, 1], [0, 1]]]}]}))
+        self.assertNotIn('x < 0', self.run_cover('mesh', 'r.json', '--inp-element', 'CAX', '-o', 'r.inp')[1])
+
     def test_formats_without_names_of_points_are_told(self):
         told = 'names of points (Sonde ö, well "1") are not in {}: formats that hold them are .vtm, .vtkhdf, .msh, .mesh, .inp, .json'
         self.run_cover('mesh', 'map.geojson', '-o', 'm.vtm', '-q')

@@ -121,6 +121,10 @@ class Notes(Case):
         doped = cover.mesh_file(DATA / 'nmos.tif')
         doped.save(self.dir / 'x.mesh')
         self.assertTrue(any(note.startswith('values at points (') for note in doped.notes))
+        for element, at in ('CAX', -1), ('CAX', 0), ('CPS', -1):
+            square = cover.mesh(np.array([[at, 0], [1, 0], [1, 1]]), [[0, 1], [1, 2], [2, 0]])
+            square.save(self.dir / 'x.inp', inp_element=element)
+            self.assertEqual('1 point in x.inp has x < 0' in str(square.notes), (element, at) == ('CAX', -1))
         cell = cover.mesh_file(DATA / 'motor_pole.json')
         cell.save(self.dir / 'c.poly')
         self.assertTrue(any(re.match('pairs on periodic sides .* not in c.poly', note) for note in cell.notes), cell.notes)

@@ -200,7 +200,8 @@ std::vector<std::string> OutputFiles::left_beside() const {
 }
 
 std::vector<std::string> OutputFiles::warnings_of(const Output& output) const {
-  std::vector<std::string> sentences{rounding(output), lines_left_out(output.table)};
+  std::vector<std::string> sentences{rounding(output), beyond_axis(output),
+                                     lines_left_out(output.table)};
   std::erase_if(sentences, [](const std::string& sentence) { return sentence.empty(); });
   return sentences;
 }
@@ -257,6 +258,18 @@ std::string OutputFiles::rounding(const Output& output) const {
       "{} in {} {} rounded: readers of .inp take 20 characters of a coordinate; other formats keep "
       "all digits",
       counted(rounded, "point"), listed(decks), rounded == 1 ? "is" : "are");
+}
+
+std::string OutputFiles::beyond_axis(const Output& output) const {
+  std::vector<std::string> decks;
+  for (const std::string& path : meshes_)
+    if (extension_of_output(path, format_) == ".inp") decks.push_back(name_of(path));
+  const std::size_t beyond = decks.empty() ? 0 : points_beyond_axis(output, write_options());
+  if (beyond == 0) return {};
+  return fmt::format(
+      "{} in {} {} x < 0: solvers refuse axisymmetric elements (--inp-element CAX) there, the axis "
+      "is x = 0",
+      counted(beyond, "point"), listed(decks), beyond == 1 ? "has" : "have");
 }
 
 std::string OutputFiles::lines_left_out(const RegionTable& table) const {

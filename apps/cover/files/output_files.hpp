@@ -103,6 +103,7 @@ class OutputFiles {
   [[nodiscard]] bool has_manifest() const { return writes(".json"); }
   [[nodiscard]] bool writes(std::string_view extension) const;
   [[nodiscard]] std::string rounding(const Output& output) const;
+  [[nodiscard]] std::string beyond_axis(const Output& output) const;
   [[nodiscard]] std::string lines_left_out(const RegionTable& table) const;
   /// That files hold none of what is called so: all but those in a format that is `holding`. Only
   /// files in a format that is `among` count, or meshes where there are none.

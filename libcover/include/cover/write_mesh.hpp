@@ -191,6 +191,11 @@ Status write_inp(const Output& output, const std::string& path, const WriteOptio
 ///
 /// Cost: linear
 std::size_t points_rounded_by_inp(const Output& output, const WriteOptions& options = {});
+/// How many points lie on the wrong side of the axis, x = 0, if elements are axisymmetric (CAX):
+/// solvers refuse these.
+///
+/// Cost: linear
+std::size_t points_beyond_axis(const Output& output, const WriteOptions& options);
 /// What readers of an .inp of write_inp() see of a point.
 Point rounded_by_inp(Point p);
 

@@ -178,6 +178,13 @@ std::size_t points_rounded_by_inp(const Output& output, const WriteOptions& opti
       points.begin(), points.end(), [](const Point& p) { return rounded_by_inp(p) != p; }));
 }
 
+std::size_t points_beyond_axis(const Output& output, const WriteOptions& options) {
+  if (options.inp_element != "CAX") return 0;
+  const std::vector<Point> points = view_of_triangles(output, options).points;
+  return static_cast<std::size_t>(
+      std::count_if(points.begin(), points.end(), [](const Point& p) { return p.x < 0; }));
+}
+
 Status write_inp(const Output& output, const std::string& path, const WriteOptions& options) {
   if (Status status = check_format(".inp", output, path, options); !status) return status;
   const MeshView view = view_of(output, options);
