@@ -170,10 +170,14 @@ class Checker {
     }
     if (error_) return;
     if (kind == "ENDBLK") return put("  0\nENDBLK");
-    if (paper) return;
     const bool known = std::find(kKinds.begin(), kKinds.end(), kind) != kKinds.end();
     const bool inner = kind == "VERTEX" || kind == "SEQEND";
-    if (invisible && known && !inner && kind != "BLOCK") {
+    const bool counts = known && !inner && kind != "BLOCK";
+    if (paper) {  // whether a sheet's windows and tables are left out, nobody asks
+      if (counts) ++out_.in_paper_space;
+      return;
+    }
+    if (invisible && counts) {
       ++out_.invisible;
       return;
     }

@@ -22,6 +22,7 @@ struct CheckedDxf {
   int unit = 0;                                 ///< $INSUNITS; 0: not said
   std::map<std::string, std::size_t> left_out;  ///< number of entities by their kind
   std::size_t invisible = 0;                    ///< entities that say so: left out
+  std::size_t in_paper_space = 0;               ///< entities of printed sheets: left out
   std::map<std::string, HiddenLayer> hidden;    ///< by names in small letters
   std::vector<bool> wide;  ///< by polyline of `text`: whether it has a width, which dxflib drops
 };

@@ -91,6 +91,9 @@ class DxfConverter {
     if (checked_.invisible > 0)
       sentences.push_back(several(checked_.invisible, "entity is", "entities are") +
                           " invisible: left out");
+    if (checked_.in_paper_space > 0)
+      sentences.push_back(several(checked_.in_paper_space, "entity is", "entities are") +
+                          " in paper space: left out");
     if (hidden_ > 0)
       sentences.push_back(
           fmt::format("{} left out on hidden layers: {}; --layer reads those it names",

@@ -581,6 +581,27 @@ TEST(ReadDxf, InvisibleEntitiesAreLeftOut) {
   EXPECT_EQ(input.warnings, std::vector<std::string>{"3 entities are invisible: left out"});
 }
 
+TEST(ReadDxf, EntitiesInPaperSpaceAreTold) {
+  const auto begin = [](DxfWriter& d) {
+    d.begin_entities();
+    d.entity("LINE", "Sheet", {{67, 1}, {10, 5}, {20, 0}, {11, 5}, {21, 9}});
+    d.entity("VIEWPORT", "Sheet", {{67, 1}, {10, 5}, {20, 0}});
+  };
+  DxfWriter sheet;
+  begin(sheet);
+  EXPECT_EQ(message(sheet.finish()),
+            "a.dxf: no line or curve in it; 1 entity is in paper space: left out");
+  DxfWriter d;
+  begin(d);
+  add_frame(d);
+  d.entity("POLYLINE", "Sheet", {{67, 1}, {66, 1}, {70, 0}});
+  d.entity("VERTEX", "Sheet", {{67, 1}, {10, 0}, {20, 5}});
+  d.entity("VERTEX", "Sheet", {{67, 1}, {10, 9}, {20, 5}});
+  const Input input = read(d.group(0, "SEQEND").line("Frame", 0, 4, 9, 4).finish());
+  EXPECT_EQ(input.segments.size(), 5U);
+  EXPECT_EQ(input.warnings, std::vector<std::string>{"2 entities are in paper space: left out"});
+}
+
 TEST(ReadDxf, BadFilesAreRefused) {
   EXPECT_EQ(message(""), "a.dxf:0: the file ends without EOF");
   EXPECT_EQ(message("hello\nworld\n"), "a.dxf:1: 'hello' is no group code of DXF");
