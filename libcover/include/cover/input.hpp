@@ -25,6 +25,7 @@ struct InputSegment {
   int line = 0;              ///< line of the file, 0 if unknown
   std::string name;          ///< name of the contact or interface it belongs to, empty if none
   std::uint32_t circle = 0;  ///< index into Input::circles plus one; 0: a straight line
+  std::uint32_t file = 0;    ///< index into Input::files, unless these are empty
 };
 
 /// "The region around this point is made of this material."
@@ -59,6 +60,7 @@ struct InputPolygon {
   /// without any may be left out.
   std::vector<std::vector<std::uint32_t>> circles{};
   std::uint32_t feature = 0;  ///< index into Input::attributes' values plus one; 0: none
+  std::uint32_t file = 0;     ///< index into Input::files, unless these are empty
 };
 
 /// A named open or closed polyline that must appear in the mesh: a contact.
@@ -122,6 +124,7 @@ struct Input {
   bool seeds_may_miss = false;
   /// What a drawing says of its unit where `unit` cannot be that, as "inches"; see units.hpp.
   std::string other_unit{};
+  std::vector<std::string> files{};  ///< of which it was joined, each a `source`; empty: of none
 };
 
 }  // namespace cover

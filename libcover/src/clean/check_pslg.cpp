@@ -71,11 +71,13 @@ std::optional<Error> find_duplicate_segments(const Input& input) {
   for (std::size_t k = 1; k < keys.size(); ++k) {
     const auto& [low, high, s] = keys[k];
     if (keys[k - 1][0] != low || keys[k - 1][1] != high) continue;
-    complaint.add(fmt::format("{}, between {} and {}, is the same as segment {}",
-                              name_of_segment(input, s), describe(input.points[low]),
-                              describe(input.points[high]), input.segments[keys[k - 1][2]].id),
-                  {input.points[low], input.points[high]},
-                  {segment_ref(input, keys[k - 1][2]), segment_ref(input, s)});
+    const InputSegment& first = input.segments[keys[k - 1][2]];
+    complaint.add(
+        fmt::format("{}, between {} and {}, is the same as segment {}{}", name_of_segment(input, s),
+                    describe(input.points[low]), describe(input.points[high]), first.id,
+                    file_suffix(input, first.file)),
+        {input.points[low], input.points[high]},
+        {segment_ref(input, keys[k - 1][2]), segment_ref(input, s)});
   }
   if (complaint.empty()) return {};
   return complaint.error();

@@ -118,8 +118,9 @@ class Gatherer {
     for (std::size_t k = 1; k < keys.size(); ++k) {
       if (keys[k - 1][0] != keys[k][0] || keys[k - 1][1] != keys[k][1]) continue;
       drop(keys[k][2],
-           fmt::format("{} is the same as segment {}", name_of_segment(input_, keys[k][2]),
-                       input_.segments[keys[k - 1][2]].id),
+           fmt::format("{} is the same as segment {}{}", name_of_segment(input_, keys[k][2]),
+                       input_.segments[keys[k - 1][2]].id,
+                       file_suffix(input_, input_.segments[keys[k - 1][2]].file)),
            {pool_.points()[keys[k][0]], pool_.points()[keys[k][1]]});
     }
   }
@@ -203,8 +204,9 @@ Network gather(const Input& input, std::vector<Change>& changes, const std::vect
 std::string name_of_polygon(const Input& input, std::uint32_t polygon) {
   const InputPolygon& p = input.polygons[polygon];
   const std::string& name = p.region.empty() ? p.material : p.region;
-  return name.empty() ? fmt::format("polygon {}", p.id)
-                      : fmt::format("polygon {} '{}'", p.id, name);
+  return (name.empty() ? fmt::format("polygon {}", p.id)
+                       : fmt::format("polygon {} '{}'", p.id, name)) +
+         file_suffix(input, p.file);
 }
 
 std::string name_of_raw(const Input& input, const Network& network, std::uint32_t raw) {
@@ -213,7 +215,8 @@ std::string name_of_raw(const Input& input, const Network& network, std::uint32_
   switch (r.origin.kind) {
     case Origin::Kind::segment: {
       const InputSegment& s = input.segments[r.origin.index];
-      return fmt::format("segment {} {}{}", s.id, ends, line_suffix(s.line));
+      return fmt::format("segment {} {}{}{}", s.id, ends, line_suffix(s.line),
+                         file_suffix(input, s.file));
     }
     case Origin::Kind::ring:
       return fmt::format("the edge of {} {}", name_of_polygon(input, r.origin.index), ends);

@@ -21,12 +21,13 @@ Input everything() {
   in.point_ids = {7, 8, -9};
   in.point_lines = {1, 2, 3};
   in.point_markers = {0, 1, 0};
-  in.segments = {{0, 1, 3, 12, 5, "gate", 1}, {1, 2, 0, 13, 6, "", 0}};
+  in.segments = {{0, 1, 3, 12, 5, "gate", 1, 1}, {1, 2, 0, 13, 6, "", 0}};
   in.holes = {{{0.5, 0.5}, 4, 11, "labels"}};
   in.seeds = {{{0.25, 0.5}, "oxide", "left", 0.1, 5, 12, 1},
               {{0.5, 0.25}, "", "", {}, 6, 13, 0, "notes"}};
   in.void_rule = VoidRule::unseeded_faces;
-  in.polygons = {{{{{0, 0}, {1, 0}, {0, 1}}, {}}, "silicon", "well", 2.5, 9, {}, {{1, 0, 0}}, 2}};
+  in.polygons = {
+      {{{{0, 0}, {1, 0}, {0, 1}}, {}}, "silicon", "well", 2.5, 9, {}, {{1, 0, 0}}, 2, 1}};
   in.lines = {{"contact", {{0, 0}, {1, 1}}, 3, {1, 0}}};
   in.field = std::make_shared<PlaneField>(PlaneField{
       {{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}}, {"silicon"}, {{"doping", {1e15, 2e15, -1e18}}}});
@@ -41,6 +42,7 @@ Input everything() {
   in.point_names = {{2, "well"}};
   in.seeds_may_miss = true;
   in.other_unit = "inches";
+  in.files = {"a", "file"};
   return in;
 }
 
@@ -53,6 +55,9 @@ TEST(InputBytes, AllThatAnInputHasComesBack) {
   EXPECT_TRUE(std::signbit(back->points[2].x));
   EXPECT_EQ(back->segments[0].name, "gate");
   EXPECT_EQ(back->segments[1].id, 13);
+  EXPECT_EQ(back->segments[0].file, 1U);
+  EXPECT_EQ(back->polygons[0].file, 1U);
+  EXPECT_EQ(back->files, in.files);
   EXPECT_EQ(back->seeds[0].size, in.seeds[0].size);
   EXPECT_EQ(back->seeds[1].size, std::nullopt);
   EXPECT_EQ(back->polygons[0].rings, in.polygons[0].rings);

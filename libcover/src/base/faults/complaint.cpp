@@ -49,8 +49,12 @@ std::string name_of_point(const Input& input, std::size_t point) {
 
 std::string name_of_segment(const Input& input, std::size_t segment) {
   const InputSegment& s = input.segments[segment];
-  return fmt::format("segment {} from point {} to point {}{}", s.id, point_id(input, s.a),
-                     point_id(input, s.b), line_suffix(s.line));
+  return fmt::format("segment {} from point {} to point {}{}{}", s.id, point_id(input, s.a),
+                     point_id(input, s.b), line_suffix(s.line), file_suffix(input, s.file));
+}
+
+std::string file_suffix(const Input& input, std::uint32_t file) {
+  return file < input.files.size() ? " of " + input.files[file] : "";
 }
 
 std::string line_suffix(int line) { return line > 0 ? fmt::format(" (line {})", line) : ""; }

@@ -36,8 +36,10 @@ class Complaint {
 long point_id(const Input& input, std::size_t point);
 /// "point 7 at (0.5, 1) (line 9)".
 std::string name_of_point(const Input& input, std::size_t point);
-/// "segment 3 from point 1 to point 2 (line 14)".
+/// "segment 3 from point 1 to point 2 (line 14)", and of which file where there are several.
 std::string name_of_segment(const Input& input, std::size_t segment);
+/// " of b.dxf", empty unless the input was joined of several.
+std::string file_suffix(const Input& input, std::uint32_t file);
 /// " (line 9)", empty if the line is unknown.
 std::string line_suffix(int line);
 

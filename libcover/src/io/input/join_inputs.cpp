@@ -280,6 +280,21 @@ Status join(Input& all, Input more, std::size_t file) {
   return ok();
 }
 
+/// Says of segments and polygons from which file they are, before they get among others.
+void note_files(std::vector<Input>& inputs) {
+  std::vector<std::string> files;
+  for (Input& input : inputs) {
+    const auto before = static_cast<std::uint32_t>(files.size());
+    for (InputSegment& segment : input.segments) segment.file += before;
+    for (InputPolygon& polygon : input.polygons) polygon.file += before;
+    for (Change& change : input.changes)
+      if (input.files.empty()) change.message = fmt::format("{}: {}", input.source, change.message);
+    if (input.files.empty()) input.files = {input.source};
+    append(files, std::move(input.files));
+  }
+  inputs.front().files = std::move(files);
+}
+
 bool is_empty(const Input& input) {
   return input.points.empty() && input.segments.empty() && input.polygons.empty() &&
          input.lines.empty() && input.seeds.empty() && input.holes.empty() &&
@@ -338,6 +353,7 @@ Result<Input> join_inputs(std::vector<Input> inputs) {
     if (Status status = drop_empty(inputs, warnings); !status) return std::move(status).error();
   if (Status status = check_systems(inputs, warnings); !status) return std::move(status).error();
   if (std::optional<Error> missing = find_missing(inputs)) return *std::move(missing);
+  if (inputs.size() > 1) note_files(inputs);
   share_units(inputs);
   tell_equal_ids(inputs, warnings);
   std::string source = inputs.front().source;

@@ -7,8 +7,8 @@ namespace cover {
 
 template <Either<InputSegment> T>
 auto members(T& segment) {
-  auto& [a, b, marker, id, line, name, circle] = segment;
-  return std::tie(a, b, marker, id, line, name, circle);
+  auto& [a, b, marker, id, line, name, circle, file] = segment;
+  return std::tie(a, b, marker, id, line, name, circle, file);
 }
 
 template <Either<RegionSeed> T>
@@ -25,8 +25,8 @@ auto members(T& hole) {
 
 template <Either<InputPolygon> T>
 auto members(T& polygon) {
-  auto& [rings, material, region, priority, id, size, circles, feature] = polygon;
-  return std::tie(rings, material, region, priority, id, size, circles, feature);
+  auto& [rings, material, region, priority, id, size, circles, feature, file] = polygon;
+  return std::tie(rings, material, region, priority, id, size, circles, feature, file);
 }
 
 template <Either<InputLine> T>
@@ -75,11 +75,11 @@ template <Either<Input> T>
 auto members(T& input) {
   auto& [source, unit, scale, warnings, points, point_ids, point_lines, point_markers, segments,
          holes, seeds, void_rule, polygons, lines, field, attributes, circles, periodic, layers,
-         changes, system, asked, point_names, seeds_may_miss, other_unit] = input;
+         changes, system, asked, point_names, seeds_may_miss, other_unit, files] = input;
   return std::tie(source, unit, scale, warnings, points, point_ids, point_lines, point_markers,
                   segments, holes, seeds, void_rule, polygons, lines, field, attributes, circles,
-                  periodic, layers, changes, system, asked, point_names, seeds_may_miss,
-                  other_unit);
+                  periodic, layers, changes, system, asked, point_names, seeds_may_miss, other_unit,
+                  files);
 }
 
 template <Either<ReadOptions> T>

@@ -243,6 +243,33 @@ TEST(JoinInputs, TextsThatSpellNumbersAreNumbersAmongNumbers) {
                 "its array numbers the different texts 1, 2, ..."});
 }
 
+TEST(JoinInputs, ChangesNameTheFilesOfSegmentsAndPolygons) {
+  Input one = square(0, "a", "x.dxf"), other = square(1, "b", "y.dxf");
+  other.polygons[0].rings[0].push_back({1, 1});
+  for (Input* input : {&one, &other}) {
+    input->points = {{0, 3}, {1, 3}};
+    input->segments.resize(1);
+    input->segments[0].b = 1;
+  }
+  one.changes = {{Change::Kind::welded, "moved", {}, {}}};
+  const Result<Input> joined = join_inputs({one, other, square(9, "c", "z.dxf")});
+  ASSERT_TRUE(joined);
+  EXPECT_EQ(joined->files, (std::vector<std::string>{"x.dxf", "y.dxf", "z.dxf"}));
+  const Result<Prepared> prepared = prepare(*joined);
+  ASSERT_TRUE(prepared);
+  std::string told;
+  for (const Change& change : prepared->report.changes) told += change.message + '\n';
+  EXPECT_NE(told.find("x.dxf: moved\n"), std::string::npos) << told;
+  EXPECT_NE(told.find(" of y.dxf is the same as segment 0 of x.dxf\n"), std::string::npos) << told;
+  const Result<Input> again = join_inputs({square(8, "d", "w.dxf"), *joined});
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->files, (std::vector<std::string>{"w.dxf", "x.dxf", "y.dxf", "z.dxf"}));
+  EXPECT_EQ(again->segments[1].file, 2U);
+  EXPECT_EQ(again->polygons[3].file, 3U);
+  EXPECT_EQ(again->changes[0].message, "x.dxf: moved");
+  EXPECT_TRUE(join_inputs({one})->files.empty());
+}
+
 TEST(JoinInputs, WarningsNameTheirFile) {
   Input one = square(0, "a", "x"), other = square(1, "b", "y");
   other.warnings = {"1 geometry is a surface in space: left out"};
