@@ -18,6 +18,7 @@
 #include "dxf/drawing.hpp"
 #include "dxf/dxf_groups.hpp"
 #include "dxf/ends.hpp"
+#include "dxf/ends_on_lines.hpp"
 #include "dxf/place_blocks.hpp"
 #include "dxf/spline.hpp"
 #include "geom/curves/arc.hpp"
@@ -65,6 +66,7 @@ class DxfConverter {
       add(*curve);
       if (error_) return *std::move(error_);
     }
+    bend_lines();
     add_points();
     add_texts();
     if (error_) return *std::move(error_);
@@ -346,7 +348,7 @@ class DxfConverter {
     const Point q = ends_.same(p);
     if (p == q) return;
     const double away = std::max(std::abs(p.x - q.x), std::abs(p.y - q.y));
-    const bool are_given = given && std::binary_search(given_.begin(), given_.end(), q);
+    const bool are_given = given && is_given(q);
     if (!are_given && away <= kUlpsUnsaid * spacing_at(size_)) return;
     if (!united_.insert(p).second) return;
     input_.changes.push_back(
@@ -355,6 +357,24 @@ class DxfConverter {
                      number_, describe(p), describe_roughly(away), describe(q)),
          {p, q},
          {{InputKind::segment, number_}}});
+  }
+
+  [[nodiscard]] bool is_given(Point p) const {
+    return std::binary_search(given_.begin(), given_.end(), p);
+  }
+
+  /// A line through an end that rounding took off it is told where both are given as they are.
+  void bend_lines() {
+    for (const EndOnLine& bent : bend_to_ends(input_, kUlpsUnsaid * spacing_at(size_))) {
+      if (!is_given(bent.end) || !is_given(bent.a) || !is_given(bent.b)) continue;
+      input_.changes.push_back(
+          {Change::Kind::welded,
+           fmt::format("curve {}, straight from {} to {}, was bent by {} to an end at {}",
+                       bent.line, describe(bent.a), describe(bent.b), describe_roughly(bent.away),
+                       describe(bent.end)),
+           {bent.end},
+           {{InputKind::segment, bent.line}}});
+    }
   }
 
   /// Points along a curve; all of them on `circle`, if there is one.

@@ -581,6 +581,55 @@ TEST(ReadDxf, InvisibleEntitiesAreLeftOut) {
   EXPECT_EQ(input.warnings, std::vector<std::string>{"3 entities are invisible: left out"});
 }
 
+TEST(ReadDxf, StraightLinesGoThroughEndsThatRoundingTookOffThem) {
+  constexpr double kSize = 10, kUlp = 0x1p-49;  // of its coordinates from 8 on
+  for (const double ulps : {1.0, 4.0, 5.0}) {
+    DxfWriter d;
+    d.begin_entities().line("0", 0, 5, kSize, 5).line("0", 4, 5 + ulps * kUlp, 4, 9);
+    d.line("0", 0, 5, 4, 9).line("0", 4, 9, kSize, 5);
+    const Input input = read(d.finish());
+    const bool is_bent = ulps <= 4;
+    ASSERT_EQ(input.segments.size(), is_bent ? 5U : 4U) << ulps;
+    ASSERT_EQ(input.changes.size(), is_bent ? 1U : 0U) << ulps;
+    const auto cleaned = testing::clean(input);
+    ASSERT_TRUE(cleaned) << cleaned.error().message;
+    EXPECT_EQ(cleaned->table.regions.size(), is_bent ? 2U : 1U);
+    Options strict;
+    strict.strict = true;
+    EXPECT_EQ(testing::clean(input, strict).has_value(), !is_bent);
+    if (!is_bent) continue;
+    EXPECT_EQ(input.segments[0].b, input.segments[1].a);
+    EXPECT_EQ(input.segments[1].id, 0);
+    EXPECT_EQ(input.changes[0].kind, Change::Kind::welded);
+    EXPECT_EQ(
+        input.changes[0].message.find("curve 0, straight from (0, 5) to (10, 5), was bent by "), 0U)
+        << input.changes[0].message;
+  }
+}
+
+TEST(ReadDxf, LinesThroughEndsOfArcsAreNotTold) {
+  // The arc ends on the line but for rounding, at two thirds of the line and on its other half.
+  DxfWriter d;
+  d.begin_entities().line("0", 0, 0, 3 * std::cos(0.7), 3 * std::sin(0.7));
+  d.line("0", 0, 0, 3 * std::cos(0.2), 3 * std::sin(0.2));
+  for (const double radius : {1.0, 1.5, 2.0, 2.5})
+    d.entity("ARC", "0",
+             {{10, 0}, {20, 0}, {40, radius}, {50, 0.2 * 180 / M_PI}, {51, 0.7 * 180 / M_PI}});
+  const Input input = read(d.finish());
+  EXPECT_TRUE(input.changes.empty());
+  const auto cleaned = testing::clean(input);
+  ASSERT_TRUE(cleaned) << cleaned.error().message;
+  EXPECT_EQ(cleaned->table.regions.size(), 4U);
+}
+
+TEST(ReadDxf, ALineThatTouchesACircleStays) {
+  DxfWriter d;
+  d.begin_entities().line("0", 1, -1, std::nextafter(1.0, 2.0), 1).circle("0", 0, 0, 1);
+  const Input input = read(d.finish());
+  EXPECT_EQ(input.segments.size(), 73U);
+  EXPECT_TRUE(input.changes.empty());
+}
+
 TEST(ReadDxf, EntitiesInPaperSpaceAreTold) {
   const auto begin = [](DxfWriter& d) {
     d.begin_entities();
