@@ -61,7 +61,10 @@ std::string bytes_of(const py::handle& name) {
 }
 
 void raise_because(py::error_already_set& raised, PyObject* type, const std::string& message) {
-  if (!raised.matches(PyExc_Exception) || raised.matches(PyExc_MemoryError)) throw;
+  // Where numpy is not there, the value may be right.
+  if (!raised.matches(PyExc_Exception) || raised.matches(PyExc_MemoryError) ||
+      raised.matches(PyExc_ImportError))
+    throw;
   py::raise_from(raised, type, message.c_str());
   throw py::error_already_set();
 }

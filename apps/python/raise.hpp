@@ -17,7 +17,7 @@ pybind11::str name_of(const std::string& bytes);
 std::string bytes_of(const pybind11::handle& name);
 
 /// Raises `type` with `message`, because of what is raised just now; that itself where it is no
-/// fault of the value: no memory, Ctrl-C.
+/// fault of the value: no memory, no numpy, Ctrl-C.
 ///
 /// REQUIRES: called in the handler of `raised`
 [[noreturn]] void raise_because(pybind11::error_already_set& raised, PyObject* type,

@@ -490,6 +490,20 @@ class Documents(Case):
         self.assertEqual((done.returncode, done.stderr), (0, ''))
         self.assertIn('(.vtu, .vtp, .vti, .vtk), of which', ' '.join(done.stdout.split()))
 
+    def test_help_says_what_standard_input_and_output_take(self):
+        told = {command: ' '.join(self.run_cover(command, '--help')[0].split()) for command in ('mesh', 'convert', 'check', 'render')}
+        self.assertIn("'-' is standard input, known by how it begins: any of these but .geo, .oas, .shp, .gpkg, .fgb, .gml and .kml;", told['mesh'])
+        self.assertIn("'-' is stdout, in the format of --format, by way of $TMPDIR, for all but .vtm, .pvtu, .ele ", told['mesh'])
+        self.assertIn("'-' is stdout, in the format of --format, for all but .vtm, .pvtu, .ele ", told['convert'])
+        read = re.search(r"standard input, known by how it begins: (\.vtu.*?) or (\.inp)", told['convert'])
+        self.write('square.poly', SQUARE)
+        for extension in [*read[1].split(', '), read[2]]:
+            self.run_cover('mesh', 'square.poly', '-o', 'm' + extension, '-q')
+            with open(self.dir / ('m' + extension), 'rb') as mesh:
+                subprocess.run([PROGRAM, 'convert', '-', '-o', 'out.vtu', '-q'], cwd=self.dir, stdin=mesh, check=True, timeout=60)
+        for command in 'check', 'render':
+            self.assertIn(read[0], told[command])
+
     def test_formats_are_completed(self):
         formats = re.search(r'File to write, several if repeated: (.*?);', ' '.join(self.run_cover('mesh', '--help')[0].split()))
         of_one_file = set(formats[1].split(', ')) - {'.vtm', '.pvtu', '.ele'}

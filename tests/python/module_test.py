@@ -32,6 +32,17 @@ def polygon(n, radius=1.0):
     return points, np.column_stack([np.arange(n), (np.arange(n) + 1) % n])
 
 
+class WithoutNumpy(unittest.TestCase):
+    def test_that_it_is_missing_is_told(self):
+        program = """
+            import sys
+            sys.modules['numpy'] = None
+            import cover
+            cover.mesh([[0, 0], [1, 0], [0, 1]], [[0, 1], [1, 2], [2, 0]])"""
+        done = subprocess.run([sys.executable, '-c', textwrap.dedent(program)], text=True, timeout=100, stderr=subprocess.PIPE)
+        self.assertRegex(done.stderr.splitlines()[-1], '^ModuleNotFoundError: .*numpy')
+
+
 class Meshing(unittest.TestCase):
     def test_arrays(self):
         mesh = cover.mesh(SQUARE, SEGMENTS, REGIONS)

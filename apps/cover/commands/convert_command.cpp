@@ -70,7 +70,7 @@ Examples:
          fmt::format("Mesh that cover wrote: {}; {}", listed(mesh_formats()), kMeshStreamHelp))
       ->type_name("MESH")
       ->required();
-  files.add_meshes(app, "stdout")->required();
+  files.add_meshes(app, "stdout, in the format of --format")->required();
   files.add_formats(app, "Files");
   add_verbosity(app, verbosity);
   if (const auto code = parse(app, std::move(arguments))) return *code;

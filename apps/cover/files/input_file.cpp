@@ -102,7 +102,9 @@ CLI::Option* GeometryFile::add(CLI::App& command, bool several) {
     written_.back().add_to(command, "Input");
   }
   const std::string help = fmt::format(
-      "Geometry: {}; '-' is standard input, known by how it begins{}", reading::known_formats(),
+      "Geometry: {}; '-' is standard input, known by how it begins: any of these but .geo, .oas, "
+      ".shp, .gpkg, .fgb, .gml and .kml{}",
+      reading::known_formats(),
       several ? "; several files are one geometry, painted in this order" : "");
   CLI::Option* input =
       several ? command.add_option("input", paths_, help)

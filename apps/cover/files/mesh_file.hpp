@@ -42,7 +42,9 @@ class MeshSource {
 };
 
 /// What the help of a subcommand says of meshes that are streams.
-constexpr const char* kMeshStreamHelp = "'-' is standard input, known by how it begins";
+constexpr const char* kMeshStreamHelp =
+    "'-' is standard input, known by how it begins: .vtu, .vtk, .vtkhdf, .msh, .xdmf, .mesh or "
+    ".inp";
 
 /// A mesh, as far as subcommands look at it.
 struct MeshTriangles {

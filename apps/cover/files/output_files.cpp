@@ -54,10 +54,14 @@ bool is_manifest(const std::filesystem::path& path) {
 }  // namespace
 
 CLI::Option* OutputFiles::add_meshes(CLI::App& command, const char* on_stdout) {
+  std::vector<std::string> several = write_formats();
+  std::erase_if(several, [](const std::string& extension) {
+    return !is_several_files("mesh" + extension, {});
+  });
   return command
       .add_option("-o,--output", meshes_,
-                  fmt::format("File to write, several if repeated: {}; '-' is {}",
-                              mesh_extensions(), on_stdout))
+                  fmt::format("File to write, several if repeated: {}; '-' is {}, for all but {}",
+                              mesh_extensions(), on_stdout, listed(several)))
       ->type_name("FILE")
       ->allow_extra_args(false);
 }
