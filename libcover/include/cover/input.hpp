@@ -69,6 +69,7 @@ struct InputLine {
   std::vector<Point> points;
   long id = 0;
   std::vector<std::uint32_t> circles{};  ///< by point, as in InputPolygon; may be left out
+  std::uint32_t file = 0;                ///< as InputSegment has it
 };
 
 /// A point that the input calls by a name, such as a well of a map. Several may have one name.

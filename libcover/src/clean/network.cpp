@@ -223,7 +223,8 @@ std::string name_of_raw(const Input& input, const Network& network, std::uint32_
     case Origin::Kind::line:
       break;
   }
-  return fmt::format("the line '{}' {}", input.lines[r.origin.index].name, ends);
+  const InputLine& line = input.lines[r.origin.index];
+  return fmt::format("the line '{}'{} {}", line.name, file_suffix(input, line.file), ends);
 }
 
 InputRef ref_of(const Input& input, Origin origin) {

@@ -28,7 +28,7 @@ Input everything() {
   in.void_rule = VoidRule::unseeded_faces;
   in.polygons = {
       {{{{0, 0}, {1, 0}, {0, 1}}, {}}, "silicon", "well", 2.5, 9, {}, {{1, 0, 0}}, 2, 1}};
-  in.lines = {{"contact", {{0, 0}, {1, 1}}, 3, {1, 0}}};
+  in.lines = {{"contact", {{0, 0}, {1, 1}}, 3, {1, 0}, 1}};
   in.field = std::make_shared<PlaneField>(PlaneField{
       {{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}}, {"silicon"}, {{"doping", {1e15, 2e15, -1e18}}}});
   in.attributes = {{"people", false, {}, {1, std::numeric_limits<double>::infinity()}},
@@ -57,6 +57,7 @@ TEST(InputBytes, AllThatAnInputHasComesBack) {
   EXPECT_EQ(back->segments[1].id, 13);
   EXPECT_EQ(back->segments[0].file, 1U);
   EXPECT_EQ(back->polygons[0].file, 1U);
+  EXPECT_EQ(back->lines[0].file, 1U);
   EXPECT_EQ(back->files, in.files);
   EXPECT_EQ(back->seeds[0].size, in.seeds[0].size);
   EXPECT_EQ(back->seeds[1].size, std::nullopt);

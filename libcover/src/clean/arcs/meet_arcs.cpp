@@ -75,8 +75,9 @@ std::vector<EndOfLines> ends_of(const Input& input, double rounding) {
 }
 
 /// What a chord belongs to, and how that is called.
-std::string name_of_chord(const InputChord& chord, const InputRef& ref) {
-  return fmt::format("the arc of {} {} from {} to {}", describe_kind(ref.kind), ref.id,
+std::string name_of_chord(const Input& input, const InputChord& chord,
+                          const ElementOfFile& element) {
+  return fmt::format("the arc of {} from {} to {}", describe_element(input, element),
                      describe(chord.a), describe(chord.b));
 }
 
@@ -168,20 +169,20 @@ class ArcMeeter {
   /// As of straight lines: those that were bent to an end, and those that were split.
   void tell_cuts(std::vector<Change>& changes) const {
     if (bent_.empty() && split_.empty()) return;
-    std::map<InputChord, std::vector<InputRef>> elements;
-    for_each_edge(input_, [&](Point a, Point b, std::uint32_t circle, const InputRef& ref) {
+    std::map<InputChord, std::vector<ElementOfFile>> elements;
+    for_each_edge(input_, [&](Point a, Point b, std::uint32_t circle, const ElementOfFile& ref) {
       const InputChord chord = chord_between(a, b, circle);
       if (bent_.contains(chord) || split_.contains(chord)) elements[chord].push_back(ref);
     });
     for (const auto& [chord, meetings] : bent_) {
-      const InputRef& element = elements.at(chord).front();
+      const ElementOfFile& element = elements.at(chord).front();
       for (const Meeting& m : meetings)
-        changes.push_back(
-            {Change::Kind::welded,
-             fmt::format("{} was bent by {} to the end of a line at {}",
-                         name_of_chord(chord, element), describe_roughly(m.off), describe(m.at)),
-             {m.at},
-             {element}});
+        changes.push_back({Change::Kind::welded,
+                           fmt::format("{} was bent by {} to the end of a line at {}",
+                                       name_of_chord(input_, chord, element),
+                                       describe_roughly(m.off), describe(m.at)),
+                           {m.at},
+                           {element}});
     }
     const std::vector<Point> corners = corners_of(input_);
     for (const auto& [chord, all] : split_) {
@@ -193,18 +194,19 @@ class ArcMeeter {
         // That a polygon's side ends in the middle of another's is what painting is for.
         return element.kind == InputKind::polygon ? inside : points;
       };
-      std::vector<InputRef> split = elements.at(chord);
+      std::vector<ElementOfFile> split = elements.at(chord);
       std::erase_if(split, [&](const InputRef& element) { return told(element).empty(); });
       if (split.empty()) continue;
       const auto line = std::find_if(split.begin(), split.end(), [](const InputRef& element) {
         return element.kind != InputKind::polygon;
       });
       const std::vector<Point>& where = told(line != split.end() ? *line : split.front());
-      changes.push_back({Change::Kind::split,
-                         fmt::format("{} was split at {}", name_of_chord(chord, split.front()),
-                                     list_of_places(where)),
-                         where,
-                         {split.front()}});
+      changes.push_back(
+          {Change::Kind::split,
+           fmt::format("{} was split at {}", name_of_chord(input_, chord, split.front()),
+                       list_of_places(where)),
+           where,
+           {split.front()}});
     }
   }
 

@@ -157,11 +157,11 @@ class TouchFinder {
   }
 
   void tell(std::vector<Change>& changes) const {
-    std::map<InputChord, std::optional<InputRef>> elements;
+    std::map<InputChord, std::optional<ElementOfFile>> elements;
     for (const Place& place : places_) {
       for (const InputChord& chord : {place.one, place.other}) elements.try_emplace(chord);
     }
-    for_each_edge(input_, [&](Point a, Point b, std::uint32_t circle, const InputRef& ref) {
+    for_each_edge(input_, [&](Point a, Point b, std::uint32_t circle, const ElementOfFile& ref) {
       const auto found = elements.find(chord_between(a, b, circle));
       if (found != elements.end() && !found->second) found->second = ref;
     });
@@ -169,15 +169,15 @@ class TouchFinder {
     std::set<std::tuple<Point, Circles, InputChord>> told;
     for (const Place& place : places_) {
       if (!is_new(place) && place.apart == 0) continue;
-      const InputRef one = *elements.at(place.one), other = *elements.at(place.other);
+      const ElementOfFile one = *elements.at(place.one), other = *elements.at(place.other);
       // Where an end of an arc is, two of its chords end.
       const Circles circles = std::minmax(place.one.circle, place.other.circle);
       const InputChord line = place.one.circle == 0 ? place.one : InputChord{};
       if (!told.emplace(place.at, circles, line).second) continue;
       const char* what = place.one.circle == 0 ? "a side" : "an arc";
       std::string message =
-          fmt::format("{} of {} {} touches an arc of {} {} at {}", what, describe_kind(one.kind),
-                      one.id, describe_kind(other.kind), other.id, describe(place.at));
+          fmt::format("{} of {} touches an arc of {} at {}", what, describe_element(input_, one),
+                      describe_element(input_, other), describe(place.at));
       if (place.is_bent) {
         message += fmt::format(", {} by {}", place.gap > 0 ? "which it misses" : "overlapping it",
                                describe_roughly(std::abs(place.gap)));

@@ -280,13 +280,14 @@ Status join(Input& all, Input more, std::size_t file) {
   return ok();
 }
 
-/// Says of segments and polygons from which file they are, before they get among others.
+/// Says of all elements from which file they are, before they get among others.
 void note_files(std::vector<Input>& inputs) {
   std::vector<std::string> files;
   for (Input& input : inputs) {
     const auto before = static_cast<std::uint32_t>(files.size());
     for (InputSegment& segment : input.segments) segment.file += before;
     for (InputPolygon& polygon : input.polygons) polygon.file += before;
+    for (InputLine& line : input.lines) line.file += before;
     for (Change& change : input.changes)
       if (input.files.empty()) change.message = fmt::format("{}: {}", input.source, change.message);
     if (input.files.empty()) input.files = {input.source};

@@ -31,8 +31,8 @@ auto members(T& polygon) {
 
 template <Either<InputLine> T>
 auto members(T& line) {
-  auto& [name, points, id, circles] = line;
-  return std::tie(name, points, id, circles);
+  auto& [name, points, id, circles, file] = line;
+  return std::tie(name, points, id, circles, file);
 }
 
 template <Either<Attribute> T>

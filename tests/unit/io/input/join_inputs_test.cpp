@@ -270,6 +270,24 @@ TEST(JoinInputs, ChangesNameTheFilesOfSegmentsAndPolygons) {
   EXPECT_TRUE(join_inputs({one})->files.empty());
 }
 
+TEST(JoinInputs, ChangesOfArcsNameTheirFile) {
+  Input arc = square(0, "a", "x.dxf"), line = square(5, "b", "y.dxf");
+  arc.points = {{0, 3}, {1, 4}};  // a quarter around (1, 3)
+  arc.segments.resize(1);
+  arc.segments[0].b = arc.segments[0].circle = 1;
+  arc.circles = {{{1, 3}, 1}};
+  line.lines = {{"probe", {{1, 3}, {0.4, 3.8}}}};
+  const Result<Input> joined = join_inputs({arc, line});
+  ASSERT_TRUE(joined);
+  const Result<Prepared> prepared = prepare(*joined);
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  std::string told;
+  for (const Change& change : prepared->report.changes) told += change.message + '\n';
+  EXPECT_NE(told.find("the arc of segment 0 of x.dxf from (0, 3) to (1, 4) was split"),
+            std::string::npos)
+      << told;
+}
+
 TEST(JoinInputs, WarningsNameTheirFile) {
   Input one = square(0, "a", "x"), other = square(1, "b", "y");
   other.warnings = {"1 geometry is a surface in space: left out"};
