@@ -3,6 +3,7 @@
 // largest angle. Conformity is untouched, since the polygon's edges stay whole.
 // Tested by tests/unit/disks/gaps/gap_test.cpp.
 #include <algorithm>
+#include <cmath>
 
 #include "disks/gaps/gap.hpp"
 #include "disks/gaps/small_polygon.hpp"
@@ -33,6 +34,8 @@ void fill_cell(TriangleDraft& draft, const Gap& gap) {
   for (const Point c :
        {p[0] + (1.0 / static_cast<double>(p.size())) * sum,
         circumcentre(draft.points[gap.t[0]], draft.points[gap.t[1]], draft.points[gap.t[2]])}) {
+    // Tangency points on a line have none.
+    if (!std::isfinite(c.x) || !std::isfinite(c.y)) continue;
     const double largest = largest_of_star(p, c);
     if (largest < best) best = largest, centre = c;
   }

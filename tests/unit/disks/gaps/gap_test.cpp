@@ -242,5 +242,15 @@ TEST_F(Gaps, TouchingOppositeDisksMakeTwoGapsOfThree) {
   EXPECT_EQ(s.draft.triangles.size(), 12U);
 }
 
+TEST_F(Gaps, TangencyPointsOnALineHaveNoCircumcentre) {
+  // As rounding makes them of disks whose radii are far from each other's.
+  Sample s;
+  for (const Point c : {Point{0, -1}, Point{3, 1}, Point{-3, 1}}) s.add_disk(c, 1);
+  s.gap.t = {s.draft.add({1, 0}), s.draft.add({0, 0}), s.draft.add({-1, 0})};
+  fill_cell(s.draft, s.gap);
+  ASSERT_FALSE(s.draft.triangles.empty());
+  for (const Point p : s.draft.points) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y));
+}
+
 }  // namespace
 }  // namespace cover::disks
