@@ -642,6 +642,19 @@ TEST(Soup, MergesFacesOfEqualMaterialInAPslg) {
   EXPECT_NEAR(out->area("Si") + out->area("core"), 1, 1e-12);
 }
 
+TEST(Soup, MergesFacesOfOneMaterialHoweverItsNumberIsSpelled) {
+  Input input = testing::checker(3, 1, 4);
+  for (RegionSeed& s : input.seeds) s.material = "7";
+  input.seeds[0].material = "7.0";
+  input.seeds[5].material = "07";
+  input.seeds[4].material = "70";
+  Options merge;
+  merge.merge_materials = true;
+  const auto out = clean(input, merge);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->table.regions.size(), 2U);
+}
+
 TEST(Soup, NamedBordersThatAreNotMergedAreTold) {
   Input input = testing::checker(3, 1, 4);
   for (RegionSeed& s : input.seeds) s.material = "Si";

@@ -85,10 +85,12 @@ Result<Pslg> merge_materials(Pslg pslg, Report& report) {
   if (!seeded) return seeded.error();
   std::vector<std::uint32_t> seed = seeds_by_face(faces, *seeded, pslg);
 
+  // By number: a number may be spelled in two ways.
+  const std::vector<std::int32_t> number = number_materials(pslg.seeds, told_later).numbers;
   const auto same_material = [&](std::uint32_t x, std::uint32_t y) {
     if (x == 0 || y == 0) return false;
-    const std::string& m = pslg.seeds[x - 1].material;
-    return x == y || (!m.empty() && m == pslg.seeds[y - 1].material);
+    const auto has_none = [&](std::uint32_t z) { return pslg.seeds[z - 1].material.empty(); };
+    return x == y || (!has_none(x) && !has_none(y) && number[x - 1] == number[y - 1]);
   };
   UnionFind united(faces.count);
   std::vector<std::uint32_t> first_seed = seed;  // by face that stands for its set
