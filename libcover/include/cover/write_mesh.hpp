@@ -19,7 +19,7 @@ namespace cover {
 ///
 /// Errors: those of can_write(); cannot_write, also where `output` has no triangles (those of a
 ///         streamed mesh stand on the disk, see write_streamed_mesh(), and those of an output that
-///         was moved from elsewhere) unless the format is .poly; cancelled
+///         was moved from elsewhere) unless the format is .poly and it has input; cancelled
 Status write_mesh(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Tells before the work whether write_mesh() knows the format and the format has what is asked

@@ -46,6 +46,7 @@ struct Format {
 
 Status write_clean_input(const Output& output, const std::string& path,
                          const WriteOptions& options) {
+  if (output.pslg.points.empty()) return check_mesh(output, path);
   return write_poly(output.pslg, output.table, path, options);
 }
 
