@@ -63,7 +63,8 @@ constexpr ReadOptionEntry window(ReadOptionEntry row) {
   };
   row.check = [](const ReadOptionEntry&, const ReadOptions& options) -> Status {
     if (!options.window || is_window(*options.window)) return ok();
-    return bad_option("window has its low corner beyond its high one");
+    return bad_option(
+        "window is not two finite corners, the first below and to the left of the second");
   };
   return row;
 }
