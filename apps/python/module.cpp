@@ -58,6 +58,9 @@ Callbacks callbacks_of(const py::object& progress, Callables& callables) {
   Callbacks callbacks;
   callbacks.stop = callables.token();
   if (progress.is_none()) return callbacks;
+  if (PyCallable_Check(progress.ptr()) == 0)
+    throw py::type_error("progress: " + shown(progress) +
+                         " is no function of a stage, what is done and what there is in all");
   callbacks.progress = [&](const Progress& p) {
     const bool goes_on = callables.call(
         [&] { return !is_false(progress(std::string(p.stage), p.done, p.total)); }, true);
@@ -91,15 +94,18 @@ SizeFunction sizes_of(const py::object& function, Callables& callables) {
   };
 }
 
-/// Raises TypeError for what is neither a function nor a path.
+[[noreturn]] void refuse(std::string message) {
+  raise({ErrorCode::bad_option, std::move(message), {}, {}});
+}
+
+/// Raises OptionError for what is neither a function nor a path.
 void check_size_field(const py::dict& keywords) {
   if (!keywords.contains("size_field")) return;
   const py::object field = keywords["size_field"];
   if (!field.is_none() && PyCallable_Check(field.ptr()) == 0 && !py::isinstance<py::str>(field) &&
       !py::hasattr(field, "__fspath__"))
-    throw py::type_error("size_field: " + shown(field) +
-                         " is neither a function of x and y nor the path of a file; a length is "
-                         "given as size");
+    refuse("size_field: " + shown(field) +
+           " is neither a function of x and y nor the path of a file; a length is given as size");
 }
 
 /// Regions that are meshed again, and the mesh in which they are replaced.
@@ -128,11 +134,13 @@ std::optional<Again> take_again(py::dict& keywords) {
   if (!keywords.contains("onto")) return std::nullopt;
   keywords = keywords.attr("copy")();
   const py::object onto = keywords.attr("pop")("onto"), only = keywords.attr("pop")("only");
+  if (only.is_none() || onto.is_none())
+    refuse("only names the regions that are meshed again in the mesh onto: both are needed");
   Again again;
   const bool is_one = py::isinstance<py::str>(only) || !py::isinstance<py::iterable>(only);
   for (const py::handle& name : is_one ? py::list(py::make_tuple(only)) : py::list(only)) {
     if (!py::isinstance<py::str>(name) && PyIndex_Check(name.ptr()) == 0)
-      throw py::type_error("only: " + shown(name) + " is no name of a region or a material");
+      refuse("only: " + shown(name) + " is no name of a region or a material");
     again.only.push_back(bytes_of(py::str(name)));
   }
   if (py::isinstance<PyMesh>(onto)) {
@@ -159,16 +167,17 @@ PyMesh mesh_input(Input input, py::dict keywords, const py::object& progress,
   if (keywords.contains("size_field") && PyCallable_Check(keywords["size_field"].ptr()) != 0) {
     sizes = keywords["size_field"];
     if (keywords.contains("size_of") && !keywords["size_of"].is_none())
-      throw py::type_error("size_of is of the values of a file, and size_field is a function");
+      refuse("size_of is of the values of a file, and size_field is a function");
     keywords = keywords.attr("copy")();
     keywords.attr("pop")("size_field");
   }
   const std::optional<Again> again = take_again(keywords);
-  auto [options, idle] = options_from(keywords);
+  Options before;
   if (sizes) {
-    options.size_field = sizes_of(sizes, callables);
-    options.size_field_name = "a function";
+    before.size_field = sizes_of(sizes, callables);
+    before.size_field_name = "a function";
   }
+  auto [options, idle] = options_from(keywords, std::move(before));
   input.warnings.insert(input.warnings.end(), idle.begin(), idle.end());
   const Callbacks callbacks = callbacks_of(progress, callables);
   Output output = run(callables, [&, &chosen = options]() -> Result<Output> {

@@ -291,8 +291,8 @@ std::string shown(const py::handle& value) {
   return text.substr(0, size) + "...";
 }
 
-Keywords options_from(const py::dict& keywords) {
-  OptionReader reader;
+Keywords options_from(const py::dict& keywords, Options before) {
+  OptionReader reader(std::move(before));
   for (const auto& [name, value] : keywords) {
     const std::string key = py::str(name);
     const Named<Options> named = find_keyword(key);

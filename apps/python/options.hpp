@@ -23,11 +23,11 @@ struct Keywords {
 };
 
 /// Options of option_table() by their names with '_' for '-', and as the plural `sizes`, `sizes_at`
-/// and without the `no_`. None leaves one out.
+/// and without the `no_`. None leaves one out, as `before` has it.
 ///
 /// Raises: OptionError for a keyword that is none, and for a value of another kind or that is not
 ///         allowed.
-Keywords options_from(const pybind11::dict& keywords);
+Keywords options_from(const pybind11::dict& keywords, Options before = {});
 
 /// Options of reading or of writing, and which of them were given.
 template <class Target>

@@ -145,8 +145,15 @@ class Mistakes(unittest.TestCase):
 
     def test_size_fields_that_are_none(self):
         for field in np.ones((2, 3)), .1, ['a.csv'], b'a.csv':
-            with self.assertRaisesRegex(TypeError, r'^size_field: [^:]* is neither a function of x and y nor the path'):
+            with self.assertRaisesRegex(cover.OptionError, r'^size_field: [^:]* is neither a function of x and y nor the path'):
                 cover.mesh(SQUARE, RING, size_field=field)
+        with self.assertRaisesRegex(cover.OptionError, 'size_of is of the values of a file'):
+            cover.mesh(SQUARE, RING, size_field=lambda x, y: .1, size_of='z')
+
+    def test_options_that_count_with_a_size_function(self):
+        mesh = cover.mesh(SQUARE, RING, size_field=lambda x, y: .01, min_size=.3)
+        self.assertFalse([note for note in mesh.notes if 'does nothing' in note])
+        self.assertTrue([note for note in cover.mesh(SQUARE, RING, min_size=.3).notes if 'does nothing' in note])
 
     def test_kinds_of_numbers(self):
         ring = np.array(RING).astype(object)

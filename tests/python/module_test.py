@@ -135,6 +135,8 @@ class Meshing(unittest.TestCase):
             cover.mesh(SQUARE, SEGMENTS, REGIONS, lines={'drain': [7]})
         with self.assertRaises(ValueError):
             cover.mesh(SQUARE, SEGMENTS, REGIONS, lines={'drain': [[5]]})
+        with self.assertRaisesRegex(ValueError, 'the name of a line is empty'):
+            cover.mesh(SQUARE, SEGMENTS, REGIONS, lines={'': [2]})
 
     def test_sizes_and_split_interfaces(self):
         coarse = cover.mesh(SQUARE, SEGMENTS, REGIONS)
@@ -629,6 +631,8 @@ class Running(unittest.TestCase):
         for stage, done, total in calls:
             self.assertIsInstance(stage, str)
             self.assertLessEqual(done, total)
+        with self.assertRaisesRegex(TypeError, '^progress: 3 is no function'):
+            cover.mesh(self.POINTS, self.RING, progress=3)
 
     def test_cancel(self):
         with self.assertRaises(cover.Cancelled) as caught:

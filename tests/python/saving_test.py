@@ -187,9 +187,9 @@ class MeshingAgain(Case):
     def test_mistakes(self):
         mesh = cover.mesh_polygons(self.POLYGONS)
         for more in {'only': 'left'}, {'onto': mesh}:
-            with self.assertRaisesRegex(TypeError, 'both are needed'):
+            with self.assertRaisesRegex(cover.OptionError, 'both are needed'):
                 cover.mesh_polygons(self.POLYGONS, **more)
-        with self.assertRaisesRegex(TypeError, 'only: 0.5 is no name'):
+        with self.assertRaisesRegex(cover.OptionError, 'only: 0.5 is no name'):
             cover.mesh_polygons(self.POLYGONS, only=[0.5], onto=mesh)
         with self.assertRaisesRegex(cover.OptionError, 'middle'):
             cover.mesh_polygons(self.POLYGONS, only='middle', onto=mesh)

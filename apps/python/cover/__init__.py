@@ -90,9 +90,7 @@ def mesh(points, segments, regions=(), holes=(), *, lines=None, progress=None, o
 
 def _again(options, only, onto):
     """Options with those of meshing again."""
-    if (only is None) != (onto is None):
-        raise TypeError("only names the regions that are meshed again in the mesh onto: both are needed")
-    return options if onto is None else {**options, "only": only, "onto": onto}
+    return options if only is None and onto is None else {**options, "only": only, "onto": onto}
 
 
 def _or_none(places):
@@ -104,6 +102,8 @@ def _by_name(lines, what):
     """The dictionary of lines, which may be none."""
     if lines is not None and not hasattr(lines, "items"):
         raise TypeError(f"lines must be a dictionary: {what} by the name of the line")
+    if lines and "" in lines:
+        raise ValueError("lines: the name of a line is empty")
     return lines or {}
 
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <cover/option_ranges.hpp>
@@ -90,6 +91,9 @@ std::string default_text(const OptionEntry& entry);
 /// Gathers options that were written by a person.
 class OptionReader {
  public:
+  /// `before`: what holds where nothing is given.
+  explicit OptionReader(Options before = {}) : options_(std::move(before)) {}
+
   /// Takes one value for the option, as OptionEntry::set does.
   ///
   /// Errors: bad_option
