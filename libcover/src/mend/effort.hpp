@@ -51,6 +51,10 @@ inline constexpr std::size_t kMostMoves = 1'000;
 
 /// Couplings within the bound: places tried in a region, at most.
 inline constexpr std::uint64_t kMostPlaces = 3'000'000;
+/// The same in a region that is no wider than so many units in the last place of its largest
+/// coordinate.
+inline constexpr std::uint64_t kMostPlacesWhereNarrow = kMostPlaces / 16;
+inline constexpr double kNarrow = 4;
 /// Regions of so many sides, with so many given up, are those in which room in circles is looked
 /// for: it takes a look at half discs all around.
 inline constexpr std::size_t kFewSides = 512, kFewGivenUp = 8;

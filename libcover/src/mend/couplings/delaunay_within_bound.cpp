@@ -11,6 +11,8 @@
 #include "box/encroached_sides.hpp"
 #include "cdt/cdt.hpp"
 #include "geom/predicates.hpp"
+#include "geom/ulp.hpp"
+#include "geom/vector.hpp"
 #include "limits/couplings/half_disc_room.hpp"
 #include "mend/couplings/fill_room.hpp"
 #include "mend/effort.hpp"
@@ -76,6 +78,21 @@ std::optional<RegionMesh> taken_if_better(const RegionBoundary& boundary, const 
   return out;
 }
 
+/// How many places are tried at most. In a region that is as narrow as rounding makes one, exact
+/// arithmetic decides every one of them.
+std::uint64_t most_places(const RegionBoundary& boundary) {
+  const Point origin = boundary.points.front();
+  double doubled_area = 0, around = 0;
+  for (const auto& [a, b] : boundary.sides) {
+    const Point p = boundary.points[a], q = boundary.points[b];
+    doubled_area += cross(p - origin, q - origin);
+    around += length(q - p);
+  }
+  const double narrow = effort::mend::kNarrow * spacing_of(boundary.points);
+  return doubled_area <= narrow * around ? effort::mend::kMostPlacesWhereNarrow
+                                         : effort::mend::kMostPlaces;
+}
+
 /// Vertices moved, added and taken away near what is wrong.
 std::optional<RegionMesh> mend_nearby(const RegionBoundary& boundary, const RegionMesh& mesh,
                                       const std::stop_token& stop, const CouplingEffort& effort) {
@@ -85,7 +102,7 @@ std::optional<RegionMesh> mend_nearby(const RegionBoundary& boundary, const Regi
   MeshWithUndo mending(before, *std::move(wanted));
   const std::uint64_t for_sides =
       mesh.layer_triangles == 0 ? effort.places_per_side : effort.places_per_angle;
-  mend_mesh(mending, {effort.places_per_angle, effort::mend::kMostPlaces, stop}, for_sides);
+  mend_mesh(mending, {effort.places_per_angle, most_places(boundary), stop}, for_sides);
   if (mending.grave() > 0) return {};
   return taken_if_better(boundary, mesh, before, mending);
 }
