@@ -91,8 +91,9 @@ std::string default_text(const OptionEntry& entry);
 /// Gathers options that were written by a person.
 class OptionReader {
  public:
+  OptionReader() = default;
   /// `before`: what holds where nothing is given.
-  explicit OptionReader(Options before = {}) : options_(std::move(before)) {}
+  explicit OptionReader(Options before) : options_(std::move(before)) {}
 
   /// Takes one value for the option, as OptionEntry::set does.
   ///
