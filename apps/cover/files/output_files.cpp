@@ -211,9 +211,7 @@ std::vector<std::string> OutputFiles::warnings_of(const Output& output) const {
 }
 
 std::string OutputFiles::regions_joined(const RegionTable& table) const {
-  std::vector<std::string> decks;
-  for (const std::string& path : meshes_)
-    if (extension_of_output(path, format_) == ".inp") decks.push_back(name_of(path));
+  const std::vector<std::string> decks = inp_files();
   // Regions without a name of their own are told by their material alone.
   std::size_t named = 0;
   std::set<std::pair<std::string, int>> sets;
@@ -252,10 +250,15 @@ std::string OutputFiles::lost(std::string_view what, const std::vector<std::stri
   return not_held(what, names, without, holding);
 }
 
-std::string OutputFiles::rounding(const Output& output) const {
-  std::vector<std::string> decks;
+std::vector<std::string> OutputFiles::inp_files() const {
+  std::vector<std::string> names;
   for (const std::string& path : meshes_)
-    if (extension_of_output(path, format_) == ".inp") decks.push_back(name_of(path));
+    if (extension_of_output(path, format_) == ".inp") names.push_back(name_of(path));
+  return names;
+}
+
+std::string OutputFiles::rounding(const Output& output) const {
+  const std::vector<std::string> decks = inp_files();
   const std::size_t rounded = decks.empty() ? 0 : points_rounded_by_inp(output, write_options());
   if (rounded == 0) return {};
   return fmt::format(
@@ -265,9 +268,7 @@ std::string OutputFiles::rounding(const Output& output) const {
 }
 
 std::string OutputFiles::beyond_axis(const Output& output) const {
-  std::vector<std::string> decks;
-  for (const std::string& path : meshes_)
-    if (extension_of_output(path, format_) == ".inp") decks.push_back(name_of(path));
+  const std::vector<std::string> decks = inp_files();
   const std::size_t beyond = decks.empty() ? 0 : points_beyond_axis(output, write_options());
   if (beyond == 0) return {};
   return fmt::format(

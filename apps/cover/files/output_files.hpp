@@ -102,6 +102,7 @@ class OutputFiles {
 
   [[nodiscard]] bool has_manifest() const { return writes(".json"); }
   [[nodiscard]] bool writes(std::string_view extension) const;
+  [[nodiscard]] std::vector<std::string> inp_files() const;  ///< names
   [[nodiscard]] std::string rounding(const Output& output) const;
   [[nodiscard]] std::string beyond_axis(const Output& output) const;
   [[nodiscard]] std::string lines_left_out(const RegionTable& table) const;
