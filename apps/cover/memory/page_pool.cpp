@@ -15,6 +15,9 @@ namespace cover::app {
 namespace {
 
 constexpr int kPopulateWrite = 23;  // MADV_POPULATE_WRITE, of Linux 5.14
+/// To move pages takes the system as long as to clear so many of them, however few they are: all
+/// processors must forget where they were.
+constexpr std::size_t kSmallestMoved = std::size_t{1} << 18;
 /// Larger arrays may be more than anybody will ever fill, or than there is.
 constexpr std::size_t kMostPopulated = std::size_t{1} << 28;
 
@@ -57,10 +60,12 @@ void* PagePool::take_pages(std::size_t bytes, std::size_t& used_before) noexcept
   if (count_ == kMostPieces) return nullptr;
   if (Piece* const piece = best_fit(bytes); piece != nullptr) {
     char* const array = piece->at;
-    piece->at += bytes;
-    piece->bytes -= bytes;
-    kept_ -= bytes;
-    add({array, bytes, array});
+    // What would be left and never moved is the array's.
+    const std::size_t part = piece->bytes - bytes < kSmallestMoved ? piece->bytes : bytes;
+    piece->at += part;
+    piece->bytes -= part;
+    kept_ -= part;
+    add({array, part, array});
     erase_empty();
     return array;
   }
@@ -99,8 +104,9 @@ bool PagePool::move_kept(char* array, std::size_t bytes, std::size_t& moved) {
   for (std::size_t k = 0; k < before && moved < bytes; ++k) {
     Piece& piece = pieces_[k];
     if (piece.array != nullptr) continue;
-    if (count_ + 2 > kMostPieces) break;  // one for the rest
     const std::size_t part = std::min(piece.bytes, bytes - moved);
+    if (part < kSmallestMoved) break;     // no piece that is kept is so small
+    if (count_ + 2 > kMostPieces) break;  // one for the rest
     char* const to = array + moved;
     if (mremap(piece.at, part, part, MREMAP_MAYMOVE | MREMAP_FIXED, to) == MAP_FAILED) {
       return map_pages(to, bytes - moved) != nullptr;  // what was there may be gone
@@ -111,6 +117,7 @@ bool PagePool::move_kept(char* array, std::size_t bytes, std::size_t& moved) {
     add({to, part, array});
     moved += part;
   }
+  drop_small();
   return true;
 }
 
@@ -137,6 +144,7 @@ bool PagePool::give(void* array) noexcept {
     kept_ += pieces_[k].bytes;
   }
   if (used_ == before) return false;
+  drop_small();
   keep_at_most(whole_pages(most_used_ / 4));
   return true;
 }
@@ -152,12 +160,26 @@ void PagePool::keep_at_most(std::size_t bytes) noexcept {
   for (std::size_t k = count_; k-- > 0 && kept_ > bytes;) {
     Piece& piece = pieces_[k];
     if (piece.array != nullptr) continue;
-    const std::size_t part = std::min(piece.bytes, kept_ - bytes);
-    munmap(piece.at + (piece.bytes - part), part);
-    piece.bytes -= part;
-    kept_ -= part;
+    give_back(piece, std::min(piece.bytes, kept_ - bytes));
   }
+  drop_small();
   erase_empty();
+}
+
+/// Pieces that are too small to be moved are of no use.
+void PagePool::drop_small() noexcept {
+  for (std::size_t k = 0; k < count_; ++k) {
+    if (pieces_[k].array == nullptr && pieces_[k].bytes < kSmallestMoved)
+      give_back(pieces_[k], pieces_[k].bytes);
+  }
+}
+
+/// The last `bytes` of a piece that is kept.
+void PagePool::give_back(Piece& piece, std::size_t bytes) noexcept {
+  if (bytes == 0) return;
+  munmap(piece.at + (piece.bytes - bytes), bytes);
+  piece.bytes -= bytes;
+  kept_ -= bytes;
 }
 
 #else

@@ -43,6 +43,8 @@ class PagePool {
   Piece* best_fit(std::size_t bytes);
   bool move_kept(char* array, std::size_t bytes, std::size_t& moved);
   void keep_at_most(std::size_t bytes) noexcept;
+  void drop_small() noexcept;
+  void give_back(Piece& piece, std::size_t bytes) noexcept;
   void add(const Piece& piece);
   void erase_empty();
 

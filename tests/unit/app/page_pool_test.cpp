@@ -69,6 +69,38 @@ TEST(PagePool, KeepsAQuarterOfTheMostThatWereInUse) {
   EXPECT_FALSE(pool.release());
 }
 
+/// Many arrays put together from parts of others would end as pages that are moved one by one.
+TEST(PagePool, KeepsNoPieceThatIsTooSmallToBeMoved) {
+  PagePool pool;
+  void* const most = pool.take(8 * kMegabyte);
+  void* const first = pool.take(kMegabyte);
+  EXPECT_TRUE(pool.give(first));
+  // From the beginning of what is kept, and all of it, as what is left would be of no use.
+  void* const shorter = pool.take(kMegabyte - 65536);
+  EXPECT_EQ(shorter, first);
+  EXPECT_EQ(pool.kept(), 0);
+  EXPECT_EQ(pool.used(), 9 * kMegabyte);
+  EXPECT_TRUE(pool.give(shorter));
+  EXPECT_EQ(pool.kept(), kMegabyte);
+  // Moved, and the rest from the system, to which it goes back.
+  void* const longer = pool.take(kMegabyte + 65536);
+  EXPECT_EQ(pool.kept(), 0);
+  EXPECT_EQ(pool.used(), 9 * kMegabyte + 65536);
+  fill(longer, kMegabyte + 65536, 7);
+  EXPECT_TRUE(pool.give(longer));
+  EXPECT_EQ(pool.kept(), kMegabyte);
+  // The last piece that is moved leaves too little.
+  void* const other = pool.take(kMegabyte / 2 * 3);
+  EXPECT_TRUE(pool.give(other));
+  void* const parted = pool.take(kMegabyte / 8 * 11);
+  fill(parted, kMegabyte / 8 * 11, 8);
+  EXPECT_EQ(pool.used(), 8 * kMegabyte + kMegabyte / 8 * 11);
+  EXPECT_EQ(pool.kept(), 0);
+  EXPECT_TRUE(holds(parted, kMegabyte / 8 * 11, 8));
+  EXPECT_TRUE(pool.give(parted));
+  EXPECT_TRUE(pool.give(most));
+}
+
 TEST(PagePool, KnowsItsArrays) {
   PagePool pool;
   std::vector<char> other(100);
