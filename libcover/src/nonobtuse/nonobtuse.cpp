@@ -21,6 +21,7 @@
 
 #include <cover/text.hpp>
 
+#include "almond/almond_region.hpp"
 #include "base/stage_clock.hpp"
 #include "cdt/region_cdt.hpp"
 #include "cuts/cut_segments.hpp"
@@ -295,7 +296,23 @@ class Nonobtuse {
     }
     flaws_[r] = find_flaw(boundary, mesh);
     fill_report(boundary, mesh);
-    if (fillings_[r].target_reached) return;
+    if (!flaws_[r] && !mesh.report.bound_held) fall_back(r);
+  }
+
+  /// Rounding left an angle beyond the bound, which almonds between the same points hold.
+  void fall_back(std::size_t r) {
+    RegionMesh almonds = almond_region(work_.boundaries[r], options_, callbacks_.stop);
+    RegionMesh& mesh = work_.meshes[r];
+    fill_report(work_.boundaries[r], almonds);
+    if (almonds.report.bound_held && !find_flaw(work_.boundaries[r], almonds)) {
+      for (Note& note : mesh.report.notes) {
+        if (note.kind == Note::Kind::bound_missed) continue;
+        note.message += "; the almond method, which holds the bound, made this region";
+        almonds.report.notes.push_back(std::move(note));
+      }
+      mesh = std::move(almonds);
+      return;
+    }
     for (Note& note : mesh.report.notes) {
       if (note.kind == Note::Kind::bound_missed)
         note.message += fmt::format(": {}; use another method", fillings_[r].remark);

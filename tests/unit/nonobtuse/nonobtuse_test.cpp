@@ -123,6 +123,31 @@ TEST(Nonobtuse, TheSameForAnyNumberOfThreads) {
   EXPECT_EQ(a.triangles, b.triangles);
 }
 
+/// Points some units in the last place from segments: the packing's vertices have no room.
+TEST(Nonobtuse, AlmondsHoldTheBoundWhereRoundingBreaksThePacking) {
+  const Input input =
+      testing::segments_between({{15.000000000000002, 1.0000000000000018},
+                                 {1.0000000000000013, 1.0000000000000004},
+                                 {1.0000000000000004, 14.000000000000009},
+                                 {4.0000000000000036, 1},
+                                 {2, 1.0000000000000018},
+                                 {5, 1.0000000000000004}},
+                                {{1, 0}, {3, 5}, {0, 3}, {3, 1}, {2, 3}, {1, 2}, {5, 1}, {5, 0}});
+  const Result<Output> output = cover_mesh(input, nonobtuse());
+  ASSERT_TRUE(output) << output.error().message;
+  const RegionReport& thin = output->report.regions[0];
+  EXPECT_TRUE(thin.bound_held);
+  EXPECT_EQ(thin.method, "almond");
+  ASSERT_EQ(thin.notes.size(), 1U);
+  EXPECT_EQ(thin.notes[0].kind, Note::Kind::target_missed);
+  EXPECT_NE(thin.notes[0].message.find("; the almond method, which holds the bound, made"),
+            std::string::npos)
+      << thin.notes[0].message;
+  for (const Violation& v :
+       verify_cover(output->pslg, output->table, triangle_soup(output->mesh)).violations)
+    ADD_FAILURE() << v.message;
+}
+
 TEST(Nonobtuse, RefusesWhatItCannotDo) {
   Options hull = nonobtuse();
   hull.hull = true;
