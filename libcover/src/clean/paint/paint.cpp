@@ -7,9 +7,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <set>
+#include <string>
 #include <tuple>
+#include <utility>
 
 #include "base/containers/union_find.hpp"
 #include "base/faults/complaint.hpp"
@@ -31,18 +36,33 @@ std::vector<std::uint32_t> ranks_of(const std::vector<InputPolygon>& polygons, O
 
 namespace {
 
+/// What the file keeps of a polygon, to be compared: none is the same as no feature.
+std::vector<std::uint64_t> kept_values(const Input& input, const InputPolygon& polygon) {
+  std::vector<std::uint64_t> out;
+  for (const Attribute& attribute : input.attributes) {
+    const double none = attribute.is_text ? 0 : std::numeric_limits<double>::quiet_NaN();
+    const double value = polygon.feature > 0 ? attribute.values[polygon.feature - 1] : none;
+    out.push_back(std::bit_cast<std::uint64_t>(std::isnan(value) ? none : value + 0.0));
+  }
+  return out;
+}
+
 /// By polygon: a number that it shares with those that make one region with it where they touch.
-std::vector<std::uint32_t> kinds(const std::vector<InputPolygon>& polygons, bool merge) {
-  std::map<std::tuple<std::string, std::string>, std::uint32_t> first;
+std::vector<std::uint32_t> kinds(const Input& input, bool merge) {
+  using Kind =
+      std::tuple<std::string, std::string, std::optional<double>, std::vector<std::uint64_t>>;
+  std::map<Kind, std::uint32_t> first;
   std::vector<std::uint32_t> out;
-  for (std::uint32_t p = 0; p < polygons.size(); ++p) {
-    const InputPolygon& polygon = polygons[p];
+  for (std::uint32_t p = 0; p < input.polygons.size(); ++p) {
+    const InputPolygon& polygon = input.polygons[p];
     if (merge ? polygon.material.empty() : polygon.region.empty()) {
       out.push_back(p);
       continue;
     }
-    const std::tuple key(polygon.material, merge ? std::string() : polygon.region);
-    out.push_back(first.emplace(key, p).first->second);
+    Kind kind{polygon.material, {}, {}, {}};
+    if (!merge)
+      kind = {polygon.material, polygon.region, polygon.size, kept_values(input, polygon)};
+    out.push_back(first.emplace(std::move(kind), p).first->second);
   }
   return out;
 }
@@ -124,7 +144,7 @@ class Painter {
 
   /// By face: the first owner of a face in the same region.
   [[nodiscard]] std::vector<std::uint32_t> first_owners(bool merge) const {
-    const std::vector<std::uint32_t> kind = kinds(input_.polygons, merge);
+    const std::vector<std::uint32_t> kind = kinds(input_, merge);
     UnionFind regions(faces_.count);
     for (std::size_t e = 0; e < graph_.edges.size(); ++e) {
       const auto [left, right] = faces_.of_segment[e];

@@ -37,7 +37,8 @@ struct Painting {
 /// Decides for each edge which polygon owns the face on either side. A face is covered by the
 /// polygons whose rings go round it an odd number of times; of these the one of the highest
 /// priority wins, among equals the last or the first. Faces that touch are one region with `merge`
-/// where they are of equal material, else where their polygons have equal given names too.
+/// where they are of equal material, else where their polygons have equal given names, sizes and
+/// attributes too.
 ///
 /// Errors: overlapping_polygons with Overlap::error where the winner is not told by priority.
 /// EXACT:  on the edges given: parities are counted, nothing is measured

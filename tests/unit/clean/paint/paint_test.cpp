@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
+#include <vector>
 
 #include "support/inputs/soups.hpp"
 
@@ -118,6 +120,30 @@ TEST(Paint, KeepsPolygonsApartUnlessNamedOrMerged) {
   ASSERT_TRUE(out) << out.error().message;
   ASSERT_EQ(out->table.regions.size(), 1U);
   EXPECT_EQ(out->table.regions[0].area, 4);
+}
+
+TEST(Paint, KeepsPolygonsOfOneNameApartWhereSizesOrAttributesDiffer) {
+  Input input;
+  for (int k = 0; k < 6; ++k) add_polygon(input, rectangle(k, 0, k + 1, 1), "grass", "meadow");
+  input.polygons[1].size = 0.5;
+  input.polygons[2].size = 0.5;
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  input.attributes = {{"kf", false, {}, {1e-4, 1e-3, 1e-4, none}}};
+  for (std::uint32_t k = 0; k < 5; ++k) input.polygons[k].feature = k < 3 ? 1 : k - 1;
+  const auto areas = [&](const Options& options) {
+    std::vector<double> found;
+    const auto out = clean(input, options);
+    EXPECT_TRUE(out) << out.error().message;
+    for (const Region& region : out->table.regions) found.push_back(region.area);
+    return found;
+  };
+  // By size and value: (1e-4), (0.5, 1e-4) twice, (1e-3), (1e-4), none.
+  EXPECT_EQ(areas({}), (std::vector<double>{1, 2, 1, 1, 1}));
+  input.polygons[4].feature = 4;  // whose value is none, as that of no feature
+  EXPECT_EQ(areas({}), (std::vector<double>{1, 2, 1, 2}));
+  Options merge;
+  merge.merge_materials = true;
+  EXPECT_EQ(areas(merge), std::vector<double>{6});
 }
 
 TEST(Paint, NamesARegionAfterAPolygonInIt) {
