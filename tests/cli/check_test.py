@@ -196,6 +196,38 @@ class Check(Case):
         out, _ = self.run_cover('check', plate, 's.msh', code=6)
         self.assertIn('--split-interfaces, --box-method or --method nonobtuse, add --allow-split', out.splitlines()[0])
 
+    def test_cuts_of_a_run_on_another_input(self):
+        """They hide nothing of what is different: one well was moved."""
+        def island(well):
+            square = {'type': 'Polygon', 'coordinates': [[[0, 0], [9, 0], [9, 9], [0, 9], [0, 0]]]}
+            return json.dumps({'type': 'FeatureCollection', 'features': [
+                {'type': 'Feature', 'properties': {'name': 'island', 'soil': 'sand'}, 'geometry': square},
+                {'type': 'Feature', 'properties': {'name': 'well'}, 'geometry': {'type': 'Point', 'coordinates': well}}]})
+
+        self.write('island.geojson', island([4, 5]))
+        self.write('moved.geojson', island([4, 4]))
+        self.run_cover('mesh', 'island.geojson', '--split-interfaces', '--size', 1, '-o', 'w.vtm', '-q')
+        out, _ = self.run_cover('check', 'moved.geojson', 'w.vtm', code=6)
+        self.assertRegex(out, r'^Segments are cut at \d+ points by the run itself: --split-interfaces 90\n'
+                              r'1 point of the input missing in the mesh\. .*\n'
+                              r'FAILED promise 1: point 0 at \(4, 4\) is no vertex of the mesh\n +at \(4, 4\)\n$')
+
+    def test_tells_what_names_materials(self):
+        """Points of the void do not count as missing, and nothing else is told of them."""
+        square = {'type': 'Polygon', 'coordinates': [[[0, 0], [9, 0], [9, 9], [0, 9], [0, 0]]]}
+        self.write('soil.geojson', json.dumps({'type': 'FeatureCollection', 'features': [
+            {'type': 'Feature', 'properties': {'soil': 'sand'}, 'geometry': square},
+            {'type': 'Feature', 'properties': {'soil': 'clay'}, 'geometry': {
+                'type': 'Polygon', 'coordinates': [[[9, 0], [18, 0], [18, 9], [9, 9], [9, 0]]]}},
+            {'type': 'Feature', 'properties': {'soil': 'sand'}, 'geometry': {
+                'type': 'Polygon', 'coordinates': [[[18, 0], [27, 0], [27, 9], [18, 9], [18, 0]]]}},
+            {'type': 'Feature', 'properties': {'soil': 'x'}, 'geometry': {'type': 'Point', 'coordinates': [40, 5]}}]}))
+        self.run_cover('mesh', 'soil.geojson', '--material-field', 'soil', '-o', 'soil.vtu', '-q')
+        out, _ = self.run_cover('check', 'soil.geojson', 'soil.vtu', code=6)
+        self.assertNotIn('missing', out)
+        self.assertIn('took materials from elsewhere, repeat its --material-field or --name-field here\n', out)
+        self.run_cover('check', 'soil.geojson', 'soil.vtu', '--material-field', 'soil')
+
     def test_cuts_go_through_conversions_and_again(self):
         plate = SAMPLES / 'plate.poly'
         again = ('--only', 'region:1', '--onto')

@@ -213,14 +213,17 @@ std::vector<std::string> GeometryFile::ignored() const {
   return sentences;
 }
 
-std::vector<std::string> GeometryFile::other_readings() const {
-  constexpr std::array kOfNames{"material-field", "name-field", "keep-field"};
+std::vector<std::string> GeometryFile::other_readings(AboutReading about) const {
+  constexpr std::array kOfNames{"material-field", "name-field"};
+  constexpr const char* kKept = "keep-field";
   std::vector<std::string> names;
   for (const auto& written : written_) {
     const ReadOptionEntry& entry = *written.entry;
     const bool may_change = entry.name == "scale" || (entry.counts != nullptr && counts(entry));
-    if (may_change && written.option->count() == 0 &&
-        std::find(kOfNames.begin(), kOfNames.end(), entry.name) == kOfNames.end())
+    const bool is_of_names =
+        std::find(kOfNames.begin(), kOfNames.end(), entry.name) != kOfNames.end();
+    if (may_change && written.option->count() == 0 && entry.name != kKept &&
+        is_of_names == (about == AboutReading::names))
       names.push_back(fmt::format("--{}", entry.name));
   }
   return names;

@@ -22,6 +22,9 @@ namespace cover::app {
 /// extension, as a shell's <(...).
 bool is_nameless_stream(const std::string& path);
 
+/// What options of reading may change: where points lie, or what regions are named.
+enum class AboutReading { places, names };
+
 /// The INPUT argument and the options of read_option_table().
 class GeometryFile {
  public:
@@ -48,9 +51,9 @@ class GeometryFile {
   /// Options that were given but do nothing, a sentence each.
   /// REQUIRES: read() was called
   [[nodiscard]] std::vector<std::string> ignored() const;
-  /// Options of reading that were not given, and may make another geometry of such files.
+  /// Options of reading that were not given, and may make something else of such files.
   /// REQUIRES: read() was called
-  [[nodiscard]] std::vector<std::string> other_readings() const;
+  [[nodiscard]] std::vector<std::string> other_readings(AboutReading about) const;
   /// Options of reading that the mesh can be traced to.
   /// REQUIRES: read() was called
   [[nodiscard]] std::vector<Provenance::Setting> settings() const;

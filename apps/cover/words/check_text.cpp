@@ -172,6 +172,13 @@ std::string repeat_text(std::span<const std::string> of_run) {
                      listed(of_run, " "));
 }
 
+std::string materials_text(std::span<const std::string> possible) {
+  if (possible.empty()) return {};
+  return fmt::format(
+      "If the run that made the mesh took materials from elsewhere, repeat its {} here\n",
+      any_of(possible));
+}
+
 std::string other_ids_text(std::size_t triangles) {
   if (triangles == 0) return {};
   return fmt::format(

@@ -53,6 +53,8 @@ std::string missing_text(std::size_t points, std::span<const std::string> of_run
                          std::span<const std::string> possible);
 /// Which options the run that made the mesh had, if any, that are not those of the check.
 std::string repeat_text(std::span<const std::string> of_run);
+/// Which options of reading may make other materials of the input; empty: none.
+std::string materials_text(std::span<const std::string> possible);
 /// So many sides have a triangle of the void beside them: which option allows that.
 std::string in_void_text(std::size_t triangles);
 /// So many triangles have the RegionId of another region: which option may have joined regions.

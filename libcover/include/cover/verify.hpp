@@ -43,8 +43,9 @@ struct Verification {
   std::vector<Violation> violations;  ///< empty: every promise asked for holds
   std::size_t violation_count = 0;    ///< may exceed what is listed
   std::size_t segments_whole = 0;
-  std::size_t in_void = 0;    ///< sides beside which a triangle lies in the void
-  std::size_t other_ids = 0;  ///< triangles whose RegionId is not that of their region
+  std::size_t points_missing = 0;  ///< of the input in or beside regions, that are no vertices
+  std::size_t in_void = 0;         ///< sides beside which a triangle lies in the void
+  std::size_t other_ids = 0;       ///< triangles whose RegionId is not that of their region
   std::size_t regions = 0;
   std::size_t within_rounding = 0;  ///< regions that meet the bound up to coordinate rounding
   /// By RegionId - 1: what no mesh can have better. Empty where segments or hull sides may be

@@ -174,6 +174,7 @@ class Verifier {
     for (std::uint32_t v = 0; v < pslg_.points.size(); ++v) {
       if (domain_.is_used[v] == 0) continue;
       if (!vertex_[v]) {
+        ++result_.points_missing;
         add(Kind::point, 1, input_point(v) + " is no vertex of the mesh", {pslg_.points[v]});
       } else {
         is_input_[*vertex_[v]] = true;

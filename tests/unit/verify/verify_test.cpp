@@ -175,6 +175,7 @@ TEST(Verify, IsolatedPointLeftOut) {
   d.pslg.points[12] = {1, 5};
   const Verification v = d.check();
   EXPECT_TRUE(has(v, 1, "point 13 at (1, 5) is no vertex")) << all_of(v);
+  EXPECT_EQ(v.points_missing, 1U);
 }
 
 /// Cuts the interface 1-4, from (6, 0) to (6, 6), at its middle; on one of its sides only, if

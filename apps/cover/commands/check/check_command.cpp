@@ -286,21 +286,13 @@ void heed_groups(const std::string& path, const Prepared& prepared, const Triang
   if (!verify.material_numbers) found = std::move(as_groups);
 }
 
-/// How many points of the input are no vertices of the mesh.
-std::size_t missing_points(const Pslg& pslg, const TriangleSoup& mesh) {
-  std::vector<Point> there = mesh.points;
-  std::sort(there.begin(), there.end());
-  return static_cast<std::size_t>(
-      std::count_if(pslg.points.begin(), pslg.points.end(),
-                    [&](Point p) { return !std::binary_search(there.begin(), there.end(), p); }));
-}
-
 /// The options that can make other points of the input, but those that were given.
 std::vector<std::string> options_that_move(const CheckCommand& command) {
   std::vector<std::string> options;
   for (const char* const name : {"weld", "overlap"})
     if (!has_option(command.app, name)) options.push_back(fmt::format("--{}", name));
-  for (std::string& option : command.input.other_readings()) options.push_back(std::move(option));
+  for (std::string& option : command.input.other_readings(AboutReading::places))
+    options.push_back(std::move(option));
   return options;
 }
 
@@ -313,12 +305,10 @@ std::vector<std::string> missing_of_run(const CheckCommand& command,
 /// Which options may be missing, where promises are broken by what they would allow.
 /// Returns: whether those of the run were told
 bool print_hints(const CheckCommand& command, const std::optional<MeshOrigin>& origin,
-                 const Verification& found, const Pslg& pslg, const TriangleSoup& mesh) {
-  // Missing points make everything else fail.
-  const std::size_t missing = found.violations.empty() ? 0 : missing_points(pslg, mesh);
-  if (missing > 0) {
-    fmt::print("{}",
-               missing_text(missing, missing_of_run(command, origin), options_that_move(command)));
+                 const Verification& found) {
+  if (found.points_missing > 0) {  // what makes everything else fail
+    fmt::print("{}", missing_text(found.points_missing, missing_of_run(command, origin),
+                                  options_that_move(command)));
     return true;
   }
   if (!command.verify.hull) fmt::print("{}", in_void_text(found.in_void));
@@ -375,7 +365,7 @@ int check_whole(const CheckCommand& command, const std::string& mesh_path,
   const auto cuts = take_own_cuts(mesh_path, mesh, verify, prepared, found);
   if (cuts && (!quiet || !cuts->are_meant))
     fmt::print("{}", cuts_text(*cuts, !subject.periodic.empty()));
-  const bool is_run_told = print_hints(command, origin, found, prepared.pslg, mesh.soup);
+  const bool is_run_told = print_hints(command, origin, found);
   int code = print_promises(found);
   if (rounded.count > 0) code = exit_unmet;
   if (has_names)
@@ -391,6 +381,8 @@ int check_whole(const CheckCommand& command, const std::string& mesh_path,
   code = first_failure(code, print_lines(lines));
   if (!is_run_told && (!lines.wrong.empty() || has_wrong_material(found)))
     fmt::print("{}", repeat_text(missing_of_run(command, origin)));
+  if (!origin && has_wrong_material(found))
+    fmt::print("{}", materials_text(command.input.other_readings(AboutReading::names)));
   code = first_failure(code, print_periodic(cut, subject.periodic, quiet));
   if (code == exit_ok) code = print_curved(prepared.pslg, mesh, quiet);
   const Result<int> rows = print_layers(cut, command.layers, subject.layers, mesh.soup, quiet);

@@ -20,13 +20,15 @@ bool is_sound_but_for_materials(const Verification& found) {
                      [](const Violation& violation) { return violation.promise == 4; });
 }
 
-/// Whether the mesh is sound but for vertices inside segments, angles, and materials.
-bool is_split_only(const Verification& found, const Prepared& prepared, const TriangleSoup& mesh,
-                   VerifyOptions verify) {
+/// Whether segments are no edges, though they are not allowed to be cut.
+bool has_split(const Verification& found, const VerifyOptions& verify) {
   const auto is_split = [](const Violation& violation) { return violation.promise == 1; };
-  if (verify.allow_split ||
-      std::none_of(found.violations.begin(), found.violations.end(), is_split))
-    return false;
+  return !verify.allow_split &&
+         std::any_of(found.violations.begin(), found.violations.end(), is_split);
+}
+
+/// Whether the mesh is sound but for vertices inside segments, angles, and materials.
+bool is_split_only(const Prepared& prepared, const TriangleSoup& mesh, VerifyOptions verify) {
   verify.allow_split = true;
   return is_sound_but_for_materials(verify_cover(prepared.pslg, prepared.table, mesh, verify));
 }
@@ -101,13 +103,18 @@ std::optional<OwnCuts> take_own_cuts(const std::string& path, const MeshTriangle
                                      Verification& found) {
   std::optional<CheckedPieces> pieces = cut_on_arcs(found, prepared, mesh.soup, verify);
   const bool are_on_arcs = pieces.has_value();
-  if (!pieces && is_split_only(found, prepared, mesh.soup, verify)) {
+  if (!pieces && !has_split(found, verify)) return std::nullopt;
+  const std::string option = cutting_option(path, mesh);
+  if (!pieces) {
     pieces = CheckedPieces{cut_as(prepared, mesh.soup), {}};
     pieces->found = verify_cover(pieces->input.pslg, pieces->input.table, mesh.soup, verify);
+    // Where another input was meshed, what the run cut would hide what is different.
+    const bool is_cut_by_run = !option.empty() && pieces->input.points > 0 &&
+                               pieces->found.violation_count < found.violation_count;
+    if (!is_cut_by_run && !is_split_only(prepared, mesh.soup, verify)) pieces.reset();
   }
   if (!pieces) return std::nullopt;
-  OwnCuts cuts{pieces->input.points, are_on_arcs, true, cutting_option(path, mesh),
-               pieces->found.violations.empty()};
+  OwnCuts cuts{pieces->input.points, are_on_arcs, true, option, pieces->found.violations.empty()};
   cuts.are_meant = verify.allow_split || !cuts.option.empty();
   if (cuts.are_meant) {
     found = std::move(pieces->found);

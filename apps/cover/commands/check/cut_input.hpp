@@ -33,9 +33,10 @@ struct OwnCuts {
   bool are_pieces_sound = true;  ///< no promise is broken on the input with these cuts
 };
 
-/// Where the mesh is sound but for materials and cuts of segments: how it is cut. If the cuts are
-/// meant, `prepared` becomes the input with them, and `found` what is found on it; else `found`
-/// becomes each cut segment once, and what is found on the pieces.
+/// Where the mesh is sound but for materials and cuts of segments, or the run that made it is known
+/// to have cut and less is broken with its cuts: how it is cut. If the cuts are meant, `prepared`
+/// becomes the input with them, and `found` what is found on it; else `found` becomes each cut
+/// segment once, and what is found on the pieces.
 ///
 /// `path` is that of the mesh, beside which its manifest may tell of the run.
 std::optional<OwnCuts> take_own_cuts(const std::string& path, const MeshTriangles& mesh,
