@@ -85,10 +85,16 @@ TEST(CutInput, ListsCutSegmentsIfNobodyMeantThem) {
 
 TEST(CutInput, ABrokenMeshIsNotOnlyCut) {
   Case one;
-  one.mesh.cut_vertices = 1;
   one.mesh.soup.triangles.pop_back();
   one.found = verify_cover(one.prepared.pslg, one.prepared.table, one.mesh.soup);
+  const std::size_t before = one.found.violation_count;
   EXPECT_FALSE(take_own_cuts("nowhere.vtu", one.mesh, {}, one.prepared, one.found));
+  EXPECT_EQ(one.found.violation_count, before);
+  // What the run cut is not broken, and hides nothing else.
+  one.mesh.cut_vertices = 1;
+  EXPECT_TRUE(take_own_cuts("nowhere.vtu", one.mesh, {}, one.prepared, one.found));
+  EXPECT_GT(one.found.violation_count, 0U);
+  EXPECT_LT(one.found.violation_count, before);
 }
 
 }  // namespace
