@@ -627,6 +627,14 @@ class NamedPoints(Case):
                 self.run_cover('mesh', 'map.geojson', '-o', name, *with_names, '--order', order, '-q')
                 self.run_cover('convert', name, '-o', 'again.msh')
                 self.assertEqual(self.groups_of_msh('again.msh'), self.EXPECTED, name)
+        # Without a manifest, which would tell how they are spelled. Nodes of lines are no points.
+        for element in 'CPS', 'S':
+            for order in '1', '2':
+                self.run_cover('mesh', 'map.geojson', '-o', 'e.inp', '-o', 'e.mesh', '--inp-element', element, '--order', order, '-q')
+                self.run_cover('convert', 'e.inp', '-o', 'again.msh')
+                self.assertEqual(self.groups_of_msh('again.msh'), {'SONDE___': [[4, 3]], 'WELL__1__2': [[2, 2], [6, 5]]})
+                self.run_cover('convert', 'e.mesh', '-o', 'again.msh')
+                self.assertEqual(sorted(self.groups_of_msh('again.msh').values()), sorted(self.EXPECTED.values()))
         self.run_cover('mesh', 'map.geojson', '-o', 'a.msh', '-o', 'a.vtkhdf', '-q')
         self.run_cover('mesh', 'map.geojson', '-o', 's.msh', '-o', 's.vtkhdf', '--stream', 'on', '-q')
         self.assertEqual(*(self.groups_of_msh(name) for name in ('a.msh', 's.msh')))

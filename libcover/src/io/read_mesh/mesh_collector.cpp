@@ -1,6 +1,11 @@
 // Tested by tests/unit/io/read_mesh/read_mesh_test.cpp.
 #include "io/read_mesh/mesh_collector.hpp"
 
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "geom/topology/corner.hpp"
 #include "io/read_mesh/second_order.hpp"
 
 namespace cover {
@@ -31,6 +36,30 @@ MeshFile MeshCollector::finish() {
       drop_values(renumbered, mesh.soup.points.size(), array.values);
   }
   return std::move(mesh);
+}
+
+void MeshCollector::name_points_apart(std::span<const NodeSet> sets) {
+  constexpr std::size_t kNoSet = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> set_of(mesh.soup.points.size(), kNoSet);
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    if (sets[s].name.empty()) continue;
+    for (const std::uint32_t v : sets[s].nodes)
+      if (set_of[v] == kNoSet) set_of[v] = s;
+  }
+  std::vector<bool> is_line(sets.size(), false);
+  for (const auto& t : mesh.soup.triangles) {
+    for (const Corner k : kCorners) {
+      const std::size_t s = set_of[t[k]];
+      if (s != kNoSet && s == set_of[t[k.next()]]) is_line[s] = true;
+    }
+  }
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    for (const std::uint32_t v : sets[s].nodes) {
+      if (is_line[s] || set_of[v] != s) continue;
+      mesh.named_points.push_back({VertexId(v), sets[s].name});
+      set_of[v] = kNoSet;
+    }
+  }
 }
 
 void MeshCollector::rename_points(const std::vector<Point>& places,

@@ -4,11 +4,18 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <cover/read_mesh.hpp>
 
 namespace cover {
+
+/// Nodes that share a name.
+struct NodeSet {
+  std::string name;
+  std::vector<std::uint32_t> nodes;
+};
 
 /// Takes cells of first and second order, and keeps their corners.
 class MeshCollector {
@@ -28,6 +35,11 @@ class MeshCollector {
     mesh.lines.push_back({nodes[0], nodes[1], group, marker});
     midpoints_.insert(midpoints_.end(), nodes.begin() + 2, nodes.end());
   }
+
+  /// Points of sets without two that an edge joins, as those of lines are, are called by their
+  /// names. Of points in several sets the first counts; a set without a name is left out.
+  /// REQUIRES: indices of nodes in range; all triangles are there
+  void name_points_apart(std::span<const NodeSet> sets);
 
   /// The mesh without the points that are midpoints alone.
   /// REQUIRES: indices of nodes in range

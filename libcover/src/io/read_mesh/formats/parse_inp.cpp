@@ -1,5 +1,5 @@
 // Lines of fields; a field that begins with a star is a keyword and its parameters follow. Blocks
-// other than nodes, triangles, sets of elements and surfaces of their edges are passed over.
+// other than nodes, triangles, sets and surfaces of edges are passed over.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -42,6 +42,8 @@ class InpParser {
         read_triangle();
       } else if (block_ == Block::set) {
         read_set();
+      } else if (block_ == Block::node_set) {
+        read_node_set();
       } else if (block_ == Block::surface) {
         read_edges();
       }
@@ -51,7 +53,7 @@ class InpParser {
   }
 
  private:
-  enum class Block { other, nodes, triangles, set, surface };
+  enum class Block { other, nodes, triangles, set, node_set, surface };
 
   /// Numbers from the first to the last one by steps.
   struct Range {
@@ -77,6 +79,7 @@ class InpParser {
     block_ = Block::other;
     if (keyword == "*NODE") block_ = Block::nodes;
     if (keyword == "*ELSET") begin_set();
+    if (keyword == "*NSET") begin_node_set();
     if (keyword == "*SURFACE") begin_surface();
     if (keyword != "*ELEMENT") return;
     const std::string type = parameter("TYPE=");
@@ -93,9 +96,19 @@ class InpParser {
   void begin_set() {
     block_ = Block::set;
     set_ = &sets_[parameter("ELSET=")];
+    is_range_ = is_generated();
+  }
+
+  void begin_node_set() {
+    if (is_generated()) return;  // a range, as of all nodes
+    block_ = Block::node_set;
+    node_sets_.push_back({parameter("NSET="), {}});
+  }
+
+  [[nodiscard]] bool is_generated() const {
     const auto& fields = lines_.fields();
-    is_range_ = std::any_of(fields.begin(), fields.end(),
-                            [](std::string_view field) { return upper(field) == "GENERATE"; });
+    return std::any_of(fields.begin(), fields.end(),
+                       [](std::string_view field) { return upper(field) == "GENERATE"; });
   }
 
   void begin_surface() {
@@ -155,6 +168,15 @@ class InpParser {
     }
   }
 
+  /// Numbers of nodes; names of other sets are passed over.
+  void read_node_set() {
+    for (const std::string_view field : lines_.fields()) {
+      const std::optional<long> number = parse_integer(field);
+      const auto at = number ? index_.find(*number) : index_.end();
+      if (at != index_.end()) node_sets_.back().nodes.push_back(at->second);
+    }
+  }
+
   /// Sides of other elements (of shells, say, or of bodies) are passed over.
   void read_edges() {
     if (lines_.fields().size() < 2) return;
@@ -171,6 +193,8 @@ class InpParser {
       collector_.add_triangle(element.nodes);
       collector_.mesh.group.push_back(element.group);
     }
+    std::erase_if(node_sets_, [&](const NodeSet& set) { return surfaces_.contains(set.name); });
+    collector_.name_points_apart(node_sets_);
     for (const Edges& edges : edges_) {
       add_lines(edges);
       if (seen_ > 3 * kMostSurfaces * elements_.size())
@@ -213,6 +237,7 @@ class InpParser {
   bool is_range_ = false;
   std::vector<Range>* set_ = nullptr;  ///< of the block that is read
   std::map<std::string, std::vector<Range>> sets_;
+  std::vector<NodeSet> node_sets_;
   std::int64_t surface_ = 0;
   std::map<std::string, std::int64_t> surfaces_;
   std::vector<Edges> edges_;

@@ -3,7 +3,11 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <cstdint>
+#include <map>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "io/read_mesh/mesh_collector.hpp"
 #include "io/read_mesh/mesh_formats.hpp"
@@ -25,6 +29,10 @@ class MeditParser {
       read_section(keyword);
     }
     if (tokens_.failed()) return tokens_.error();
+    std::vector<NodeSet> sets;
+    for (auto& [reference, vertices] : vertices_of_)
+      sets.push_back({fmt::format("point_{}", reference), std::move(vertices)});
+    collector_.name_points_apart(sets);
     return collector_.finish();
   }
 
@@ -50,7 +58,9 @@ class MeditParser {
       const double x = tokens_.real("a coordinate"), y = tokens_.real("a coordinate");
       if (dimension_ == 3 && tokens_.real("a coordinate") != 0)
         tokens_.fail(ErrorCode::unsupported_format, "the mesh is not in the plane z = 0");
-      tokens_.integer("the reference of a vertex");
+      const long reference = tokens_.integer("the reference of a vertex");
+      if (reference != 0)
+        vertices_of_[reference].push_back(static_cast<std::uint32_t>(points.size()));
       points.push_back({x, y});
     }
   }
@@ -84,6 +94,8 @@ class MeditParser {
 
   TokenReader tokens_;
   long dimension_ = 3;
+  std::map<long, std::vector<std::uint32_t>>
+      vertices_of_;  ///< by their references, if these are not 0
   MeshCollector collector_;
 };
 
