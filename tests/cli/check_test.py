@@ -212,6 +212,33 @@ class Check(Case):
                               r'1 point of the input missing in the mesh\. .*\n'
                               r'FAILED promise 1: point 0 at \(4, 4\) is no vertex of the mesh\n +at \(4, 4\)\n$')
 
+    def test_names_of_regions_and_points(self):
+        """Materials and places are as they were; names are exchanged."""
+        def island(north, south, first, second):
+            def feature(kind, coordinates, **properties):
+                return {'type': 'Feature', 'properties': properties, 'geometry': {'type': kind, 'coordinates': coordinates}}
+            return json.dumps({'type': 'FeatureCollection', 'features': [
+                feature('Polygon', [[[0, 9], [9, 9], [9, 18], [0, 18], [0, 9]]], name=north, material='sand'),
+                feature('Polygon', [[[0, 0], [9, 0], [9, 9], [0, 9], [0, 0]]], name=south, material='sand'),
+                feature('Point', [4, 3], name=first), feature('Point', [4, 12], name=second)]})
+
+        self.write('a.geojson', island('north', 'south', 'well', 'probe'))
+        self.write('b.geojson', island('south', 'north', 'probe', 'well'))
+        self.write('c.geojson', island('north', 'lake', 'well', 'spring'))
+        wrong = (r"FAILED named points: 'probe' is named 'well'\n +at \(4, 3\)\n"
+                 r"FAILED named points: 'well' is named 'probe'\n +at \(4, 12\)\n"
+                 r"FAILED named regions: \d+ triangles of 'south' of 'sand' are named 'north' of 'sand'\n.*\n"
+                 r"FAILED named regions: \d+ triangles of 'north' of 'sand' are named 'south' of 'sand'\n")
+        for outputs in ('m.vtm',), ('m.vtkhdf',), ('n.msh', 'n.json'):
+            self.run_cover('mesh', 'a.geojson', *(word for name in outputs for word in ('-o', name)), '-q')
+            out, _ = self.run_cover('check', 'a.geojson', outputs[0])
+            self.assertTrue(out.startswith('Every promise holds') and 'Not checked' not in out, out)
+            self.assertRegex(self.run_cover('check', 'b.geojson', outputs[0], code=6)[0], '^' + wrong)
+            # What the input calls otherwise may be what a format or a tool made of it.
+            out, _ = self.run_cover('check', 'c.geojson', outputs[0])
+            self.assertIn("Not checked: names of regions: 'south' of 'sand' is none of the input's\n", out)
+            self.assertIn("Not checked: names of points: 'probe' is none of the input's\n", out)
+
     def test_tells_what_names_materials(self):
         """Points of the void do not count as missing, and nothing else is told of them."""
         square = {'type': 'Polygon', 'coordinates': [[[0, 0], [9, 0], [9, 9], [0, 9], [0, 0]]]}

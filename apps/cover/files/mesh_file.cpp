@@ -128,6 +128,7 @@ Result<MeshTriangles> read_triangles(const MeshSource& source, spdlog::logger& l
   triangles.parts = mesh->parts;
   triangles.lines = std::move(mesh->lines);
   triangles.line_names = std::move(mesh->line_names);
+  triangles.named_points = std::move(mesh->named_points);
   if (!mesh->soup.material.empty() || mesh->group.empty()) {
     triangles.soup = std::move(mesh->soup);
     return triangles;

@@ -58,6 +58,7 @@ struct MeshTriangles {
   std::map<std::int64_t, std::string> group_names{};  ///< where it has groups instead
   std::vector<MeshLine> lines{};                      ///< as MeshFile::lines
   std::map<std::int64_t, std::string> line_names{};   ///< as MeshFile::line_names
+  std::vector<NamedPoint> named_points{};             ///< as MeshFile::named_points
 };
 
 /// The triangles of a mesh, in any format of read_mesh(). Formats that have groups

@@ -99,6 +99,17 @@ std::string wrong_regions_text(std::span<const WrongRegion> regions) {
   return text;
 }
 
+std::string wrong_points_text(std::span<const WrongPoint> points) {
+  std::string text;
+  for (const WrongPoint& point : points)
+    text +=
+        fmt::format("FAILED named points: '{}' {}\n", printable(point.name),
+                    point.there.empty() ? std::string("has no name in the mesh")
+                                        : fmt::format("is named '{}'", printable(point.there))) +
+        places_text({&point.at, 1});
+  return text;
+}
+
 std::string wrong_lines_text(const NamedLines& lines) {
   std::string text;
   for (const WrongLine& line : lines.wrong) {

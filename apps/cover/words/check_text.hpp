@@ -34,6 +34,8 @@ struct AngleTargets {
 std::string sound_text(const Verification& found, std::size_t triangles, bool is_all_met,
                        const AngleTargets& targets = {});
 
+/// Points of the input under other names in the mesh.
+std::string wrong_points_text(std::span<const WrongPoint> points);
 /// Regions with triangles under another name.
 std::string wrong_regions_text(std::span<const WrongRegion> regions);
 

@@ -4,16 +4,24 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <cover/report.hpp>
 
 namespace cover {
 
+/// What a mesh calls a region.
+struct RegionNames {
+  std::string region;
+  std::string material;
+};
+
 /// The run that wrote a mesh.
 struct MeshOrigin {
   Provenance provenance;
-  double scale = 1;           ///< as Report::scale
-  std::size_t triangles = 0;  ///< of the mesh that it wrote; 0: not told
+  double scale = 1;                    ///< as Report::scale
+  std::size_t triangles = 0;           ///< of the mesh that it wrote; 0: not told
+  std::vector<RegionNames> regions{};  ///< by RegionId - 1; empty: not told
 };
 
 /// The run that wrote the mesh in this file, by a .vtm or a .vtkhdf itself, else by the manifest

@@ -186,6 +186,13 @@ int print_regions(const std::vector<WrongRegion>& wrong) {
   return wrong.empty() ? exit_ok : exit_unmet;
 }
 
+/// Whether regions and points are called as the input calls them.
+int print_names(const ToldNames& names) {
+  fmt::print("{}", wrong_points_text(names.points));
+  return names.points.empty() ? print_regions(names.regions)
+                              : first_failure(exit_unmet, print_regions(names.regions));
+}
+
 /// Whether lines that the input names have their edges in the mesh.
 int print_lines(const NamedLines& lines) {
   fmt::print("{}", wrong_lines_text(lines));
@@ -377,7 +384,13 @@ int check_whole(const CheckCommand& command, const std::string& mesh_path,
   const bool needs_pieces = !subject.periodic.empty() || !command.layers.empty() ||
                             command.box_method || has_named_lines(prepared.pslg, prepared.table);
   const CutInput cut = needs_pieces ? cut_as(prepared, mesh.soup) : CutInput{};
-  const NamedLines lines = with_attributes(check_named_lines(cut, mesh), prepared.table);
+  NamedLines lines = with_attributes(check_named_lines(cut, mesh), prepared.table);
+  ToldNames names;
+  if (mesh.has_materials && found.violations.empty())
+    names = check_told_names(prepared, found.triangle_regions,
+                             origin ? origin->regions : std::vector<RegionNames>(), mesh);
+  std::move(names.unchecked.begin(), names.unchecked.end(), std::back_inserter(lines.unchecked));
+  code = first_failure(code, print_names(names));
   code = first_failure(code, print_lines(lines));
   if (!is_run_told && (!lines.wrong.empty() || has_wrong_material(found)))
     fmt::print("{}", repeat_text(missing_of_run(command, origin)));

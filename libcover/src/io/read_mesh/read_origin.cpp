@@ -15,7 +15,10 @@ namespace {
 
 std::optional<MeshOrigin> origin_in(StoredMesh&& stored) {
   if (stored.provenance.version.empty()) return std::nullopt;
-  return MeshOrigin{std::move(stored.provenance), stored.scale, 0};
+  MeshOrigin origin{std::move(stored.provenance), stored.scale, 0};
+  for (Region& region : stored.regions)
+    origin.regions.push_back({std::move(region.name), std::move(region.material_name)});
+  return origin;
 }
 
 /// What the file itself tells.

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <ios>
 #include <string>
+#include <vector>
 
 #include "io/report/provenance_json.hpp"
 #include "io/text/text.hpp"
@@ -35,6 +36,16 @@ std::size_t triangles_of(const Json& manifest) {
   return count.get_ref<const Json::number_unsigned_t&>();
 }
 
+/// Throws: nlohmann's exceptions, where they are none
+std::vector<RegionNames> region_names_of(const Json& manifest) {
+  std::vector<RegionNames> names;
+  for (const Json& region : manifest.value("regions", Json::array())) {
+    if (region.at("id") != names.size() + 1) return {};
+    names.push_back({region.at("name"), region.at("material_name")});
+  }
+  return names;
+}
+
 }  // namespace
 
 bool is_manifest(const Json& json) {
@@ -45,7 +56,8 @@ MeshOrigin origin_of(const Json& manifest) {
   return {{manifest.value("source", ""), manifest.value("cover", ""),
            options_of(manifest.value("options", Json::object()))},
           manifest.value("scale", 1.0),
-          triangles_of(manifest)};
+          triangles_of(manifest),
+          region_names_of(manifest)};
 }
 
 std::optional<MeshOrigin> read_manifest_origin(const std::string& path) {

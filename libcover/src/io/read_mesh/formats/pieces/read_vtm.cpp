@@ -403,7 +403,12 @@ Result<StoredMesh> read_vtm_origin(const std::string& path) {
   const Result<XmlTree> tree = parse_xml(*text, path);
   if (!tree) return tree.error();
   StoredMesh stored;
-  if (const XmlElement* names = tree->root.child("CoverNames")) take_names(*names, stored);
+  if (const XmlElement* names = tree->root.child("CoverNames")) {
+    stored.regions.resize(static_cast<std::size_t>(
+        std::count_if(names->children.begin(), names->children.end(),
+                      [](const XmlElement& element) { return element.name == "Region"; })));
+    take_names(*names, stored);
+  }
   return stored;
 }
 
