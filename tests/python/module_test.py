@@ -43,6 +43,46 @@ class WithoutNumpy(unittest.TestCase):
         self.assertRegex(done.stderr.splitlines()[-1], '^ModuleNotFoundError: .*numpy')
 
 
+class BoxMethod(unittest.TestCase):
+    def setUp(self):
+        corners, sides = polygon(7)
+        inner, ring = polygon(5, 0.4)
+        self.mesh = cover.mesh(np.vstack([corners, inner]), np.vstack([sides, ring + 7]), [(0.9, 0, 'a'), (0, 0, 'b')], size=0.1)
+        self.boxes = self.mesh.box_method()
+
+    def test_boxes_fill_their_regions(self):
+        areas = {region: 0.0 for region in (1, 2)}
+        for region, area in zip(self.boxes['box_regions'], self.boxes['box_areas']):
+            areas[region] += area
+        for region in self.mesh.report['regions']:
+            self.assertAlmostEqual(areas[region['id']], region['area'], places=12)
+        places = list(zip(self.boxes['box_regions'], self.boxes['box_points']))
+        self.assertEqual(places, sorted(set(places)))
+
+    def test_an_edge_between_regions_couples_in_both(self):
+        found = set(zip(self.boxes['edge_regions'], map(tuple, self.boxes['edges'])))
+        self.assertEqual(len(found), len(self.boxes['couplings']))
+        for k in range(5):
+            ends = (7 + k, 7 + (k + 1) % 5)
+            self.assertTrue({(1, tuple(sorted(ends))), (2, tuple(sorted(ends)))} <= found)
+
+    def test_what_is_linear_has_no_residue_inside(self):
+        edges, couplings = self.boxes['edges'], self.boxes['couplings']
+        potential = self.mesh.points @ [2, -3]
+        residue = np.zeros(len(potential))
+        flux = couplings * (potential[edges[:, 1]] - potential[edges[:, 0]])
+        np.add.at(residue, edges[:, 0], flux)
+        np.add.at(residue, edges[:, 1], -flux)
+        np.testing.assert_allclose(residue[12:], 0, atol=1e-12)
+        self.assertGreater(abs(residue[:7]).max(), 1)
+
+    def test_negative_couplings_are_those_of_the_report(self):
+        sliver = cover.mesh([[0, 0], [9, 0], [9, 1], [4, 0.2], [0, 1]], [[0, 1], [1, 2], [2, 3], [3, 4], [4, 0]])
+        negative = sliver.box_method()['couplings'] < 0
+        self.assertEqual(negative.sum(), sliver.report['overall']['box']['negative_couplings'])
+        self.assertGreater(negative.sum(), 0)
+
+
 class Meshing(unittest.TestCase):
     def test_arrays(self):
         mesh = cover.mesh(SQUARE, SEGMENTS, REGIONS)

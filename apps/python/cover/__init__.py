@@ -344,6 +344,38 @@ def _to_meshio(self):
     return meshio.Mesh(self.points, cells, cell_data=data, field_data=field_data)
 
 
-Mesh.to_vtk, Mesh.to_meshio, Mesh.notes = _to_vtk, _to_meshio, property(_notes)
+def _box_method(self):
+    """What a solver by the box method (finite volumes on Voronoi boxes) needs, as arrays in a dict.
+
+    "edges" (two indices of points each, the smaller first), "edge_regions" and "couplings": the length of the box's
+    side over that of the edge, (cot + cot) / 2 of the angles opposite to it in that region, without a unit; an edge
+    between two regions has a row for each. "box_points", "box_regions" and "box_areas": of the part of each point's
+    box in each region, in the square of the mesh's unit. Both are signed: the areas of a region's boxes add up to its
+    area, whatever angles there are. Sorted by region, then by point. Cost: O(n log n) for n triangles."""
+    import numpy as np
+
+    points, triangles = self.points, self.triangles.astype(np.int64)
+    ends, halves, parts = [], [], []
+    for k in range(3):
+        apex, a, b = (triangles[:, (k + i) % 3] for i in range(3))
+        u, v = points[a] - points[apex], points[b] - points[apex]
+        half = (u * v).sum(1) / (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]) / 2
+        ends.append(np.sort(np.column_stack([a, b]), axis=1))
+        halves.append(half)
+        parts.append(((points[b] - points[a]) ** 2).sum(1) * half / 4)
+    ends, halves, parts = np.concatenate(ends), np.concatenate(halves), np.concatenate(parts)
+    region = np.tile(self.region, 3)
+
+    def added(rows, values):
+        rows, which = np.unique(rows, axis=0, return_inverse=True)
+        return rows, np.bincount(which.ravel(), values, len(rows))
+
+    edges, couplings = added(np.column_stack([region, ends]), halves)
+    boxes, areas = added(np.column_stack([np.tile(region, 2), ends.T.ravel()]), np.tile(parts, 2))
+    return {"edges": edges[:, 1:], "edge_regions": edges[:, 0], "couplings": couplings,
+            "box_points": boxes[:, 1], "box_regions": boxes[:, 0], "box_areas": areas}
+
+
+Mesh.to_vtk, Mesh.to_meshio, Mesh.box_method, Mesh.notes = _to_vtk, _to_meshio, _box_method, property(_notes)
 # Else there were meshes without anything in them.
 Mesh.__new__ = staticmethod(_no_constructor)
