@@ -164,7 +164,7 @@ std::optional<Candidate> Candidates::evenly_refined(Candidate cdt) const {
 Candidate Candidates::optimised(Candidate cdt, SearchAfter how_hard) {
   Budget half = budget_.share(2);  // the rest is for candidates that may start better
   const Optimised reached =
-      optimise(cdt.mesh.change(), goal_, half, sizes_, ranking_.order(), how_hard, sharing_);
+      optimise(cdt.mesh.change(), goal_, half, {&sizes_, ranking_.order(), how_hard, sharing_});
   cdt.merit = reached.merit;
   if (reached.before_couplings) outlook_.has_seen(*reached.before_couplings);
   budget_.take_back(half);

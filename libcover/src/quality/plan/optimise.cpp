@@ -196,8 +196,11 @@ Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search
 
 }  // namespace
 
-Optimised optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeField& sizes,
-                   const Order& order, SearchAfter how_hard, const Sharing& sharing) {
+Optimised optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const HowToOptimise& how) {
+  const SizeField none;
+  const SizeField& sizes = how.sizes != nullptr ? *how.sizes : none;
+  const Sharing& sharing = how.sharing;
+  SearchAfter how_hard = how.search;
   const Goal goal = with_sides(asked);
   const bool is_tiny = mesh.fixed_vertices() <= kTinyRegion && !sizes.is_active();
   mesh.set_goal_unmeasured(goal, sharing.team);  // what is refined is measured in the end
@@ -216,7 +219,7 @@ Optimised optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const S
     start.set_goal(light(goal), sharing.team);
     improve_refined(start, kUnlimited, budget, sharing);
     const Merit now = merit_of(start, goal, sharing.team);
-    if (order.is_better(now, merit)) {
+    if (how.order.is_better(now, merit)) {
       merit = now;
       mesh = std::move(start);
     }

@@ -20,6 +20,14 @@ enum class SearchAfter {
   all,      ///< the same, with more of a budget where few are left
 };
 
+/// How a triangulation is optimised.
+struct HowToOptimise {
+  const SizeField* sizes = nullptr;  ///< that are wished; none
+  Order order{};
+  SearchAfter search = SearchAfter::all;
+  Sharing sharing{};
+};
+
 /// What a triangulation has reached.
 struct Optimised {
   Merit merit;
@@ -32,9 +40,8 @@ struct Optimised {
 ///
 /// REQUIRES: `mesh` is constrained Delaunay
 /// ENSURES:  returns what was reached, by `goal`; nothing promises that it is better than before
-Optimised optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeField& sizes = {},
-                   const Order& order = {}, SearchAfter how_hard = SearchAfter::all,
-                   const Sharing& sharing = {});
+Optimised optimise(MutableMesh& mesh, const Goal& goal, Budget& budget,
+                   const HowToOptimise& how = {});
 
 /// Improves any triangulation, with the largest angle before all else.
 ///
