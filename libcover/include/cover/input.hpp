@@ -125,6 +125,7 @@ struct Input {
   bool seeds_may_miss = false;
   /// What a drawing says of its unit where `unit` cannot be that, as "inches"; see units.hpp.
   std::string other_unit{};
+  bool is_picture = false;           ///< coordinates are those of pixels, in no system of a map
   std::vector<std::string> files{};  ///< of which it was joined, each a `source`; empty: of none
 };
 

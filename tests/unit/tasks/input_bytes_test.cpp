@@ -42,6 +42,7 @@ Input everything() {
   in.point_names = {{2, "well"}};
   in.seeds_may_miss = true;
   in.other_unit = "inches";
+  in.is_picture = true;
   in.files = {"a", "file"};
   return in;
 }

@@ -3,10 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <map>
 #include <set>
 
 #include "io/images/image_data.hpp"
+#include "io/text/text.hpp"
 
 namespace cover {
 namespace {
@@ -100,6 +103,10 @@ class TiffDecoder {
                        kPhotometric = 262, kStripOffsets = 273, kSamples = 277, kRowsPerStrip = 278,
                        kStripBytes = 279, kPlanar = 284, kPredictor = 317, kColourMap = 320,
                        kTileWidth = 322, kSampleFormat = 339;
+  // Of GeoTIFF and of GDAL.
+  static constexpr Tag kPixelScale = 33550, kTiePoint = 33922, kTransformation = 34264,
+                       kGeoKeys = 34735, kNoData = 42113;
+  static constexpr std::uint64_t kText = 2, kDouble = 12;  ///< types of values
 
   void fail(ErrorCode code, const std::string& what) {
     if (!error_) error_ = Error{code, fmt::format("{}: {}", source_, what), {}, {}};
@@ -109,6 +116,16 @@ class TiffDecoder {
     return (name >= kWidth && name <= kPhotometric) || name == kStripOffsets || name == kSamples ||
            name == kRowsPerStrip || name == kStripBytes || name == kPlanar || name == kPredictor ||
            name == kColourMap || name == kTileWidth || name == kSampleFormat;
+  }
+
+  /// What pixels do without: it damages no picture.
+  static bool is_beside(std::uint64_t name, std::uint64_t type) {
+    if (name == kPixelScale || name == kTiePoint || name == kTransformation) return type == kDouble;
+    return name == kGeoKeys ? type == 3 : name == kNoData && type == kText;
+  }
+
+  static std::uint64_t bytes_of_type(std::uint64_t type) {
+    return type == kDouble ? 8 : type == 3 ? 2 : type == 4 ? 4 : 1;
   }
 
   /// Pictures from the one on whose directory is at `at`, up to one that is damaged. Smaller copies
@@ -150,12 +167,14 @@ class TiffDecoder {
     constexpr std::size_t kEntry = 12;
     for (std::uint64_t k = 0; k < count && !error_; ++k) {
       const std::uint64_t entry = at + 2 + k * kEntry, type = number(entry + 2, 2);
-      const std::uint64_t values = number(entry + 4, 4), bytes = type == 3 ? 2 : type == 4 ? 4 : 1;
+      const std::uint64_t values = number(entry + 4, 4), bytes = bytes_of_type(type);
       const std::uint64_t name = number(entry, 2);
+      const bool beside = is_beside(name, type);
       // What is not looked at may be of any length.
-      if ((type != 1 && type != 3 && type != 4) || !is_looked_at(name) || tags_.contains(name))
-        continue;
+      if (((type != 1 && type != 3 && type != 4) || !is_looked_at(name)) && !beside) continue;
+      if (tags_.contains(name)) continue;
       const std::uint64_t first = values * bytes <= 4 ? entry + 8 : number(entry + 8, 4);
+      if (beside && (first > data_.size() || values > (data_.size() - first) / bytes)) continue;
       if (first > data_.size() || values > (data_.size() - first) / bytes)
         return fail(ErrorCode::truncated, "the file ends before what its directory names");
       std::vector<std::uint64_t>& list = tags_[name];
@@ -200,6 +219,69 @@ class TiffDecoder {
     narrow_palette_ = std::all_of(palette.begin(), palette.end(),
                                   [](std::uint64_t colour) { return colour % 256 == 0; });
     raster_.pixels.resize(width * height);
+    raster_.place = read_place();
+    no_data_ = read_no_data();
+  }
+
+  /// Numbers of a tag, as many as are there.
+  std::vector<double> numbers_of(Tag name) const {
+    std::vector<double> numbers;
+    if (const auto found = tags_.find(name); found != tags_.end())
+      for (const std::uint64_t bits : found->second) numbers.push_back(std::bit_cast<double>(bits));
+    return numbers;
+  }
+
+  std::optional<PlaceOnMap> read_place() const {
+    const std::vector<double> scale = numbers_of(kPixelScale), tie = numbers_of(kTiePoint),
+                              matrix = numbers_of(kTransformation);
+    PlaceOnMap place;
+    if (scale.size() >= 2 && tie.size() >= 6) {
+      place.pixel_width = scale[0];
+      place.pixel_height = scale[1];
+      place.first = {tie[3] - tie[0] * scale[0], tie[4] + tie[1] * scale[1]};
+    } else if (matrix.size() >= 8) {
+      place.pixel_width = std::hypot(matrix[0], matrix[4]);
+      place.pixel_height = std::hypot(matrix[1], matrix[5]);
+      place.first = {matrix[3], matrix[7]};
+    } else {
+      return std::nullopt;
+    }
+    if (!std::isfinite(place.first.x) || !std::isfinite(place.first.y) ||
+        !(place.pixel_width > 0) || !(place.pixel_height > 0))
+      return std::nullopt;
+    place.system = read_system();
+    return place;
+  }
+
+  std::string read_system() const {
+    constexpr std::uint64_t kGeographic = 2048, kProjected = 3072;  // keys of GeoTIFF
+    constexpr std::uint64_t kUndefined = 0, kOfUser = 32767;
+    constexpr std::size_t kKey = 4;  // a key, where its value is, how many, the value
+    const auto found = tags_.find(kGeoKeys);
+    std::string system;
+    if (found == tags_.end()) return system;
+    const std::vector<std::uint64_t>& keys = found->second;
+    for (std::size_t k = kKey; k + kKey <= keys.size(); k += kKey) {
+      const std::uint64_t code = keys[k + 3];
+      if (keys[k + 1] != 0 || code == kUndefined || code >= kOfUser) continue;
+      if (keys[k] == kProjected || (keys[k] == kGeographic && system.empty()))
+        system = fmt::format("EPSG:{}", code);
+    }
+    return system;
+  }
+
+  /// As numbers of pixels are stored.
+  std::optional<std::uint64_t> read_no_data() const {
+    const auto found = tags_.find(kNoData);
+    if (found == tags_.end() || samples_ != 1) return std::nullopt;
+    std::string text(found->second.begin(), found->second.end());
+    text.resize(std::min(text.find('\0'), text.size()));
+    const std::optional<long> value = parse_integer(text);
+    if (!value) return std::nullopt;
+    const std::uint64_t mask = (std::uint64_t{1} << bits_) - 1;
+    const auto stored = static_cast<std::uint64_t>(*value);
+    const bool is_held = raster_.is_signed ? (stored + (mask + 1) / 2) <= mask : stored <= mask;
+    return is_held ? std::optional(stored & mask) : std::nullopt;
   }
 
   void read_strips() {
@@ -247,7 +329,9 @@ class TiffDecoder {
         if (differences) value[c] = (value[c] + left[c]) & mask;
         left[c] = value[c];
       }
-      raster_.pixels[y * raster_.width + x] = pixel(value);
+      const std::uint64_t seen = pixel(value);
+      raster_.pixels[y * raster_.width + x] = seen;
+      if (no_data_ == value[0]) raster_.no_data = seen;
     }
   }
 
@@ -280,7 +364,8 @@ class TiffDecoder {
   bool big_endian_;
   std::map<std::uint64_t, std::vector<std::uint64_t>> tags_;
   std::uint64_t bits_ = 8, samples_ = 1, photometric_ = 1, compression_ = 1;
-  bool narrow_palette_ = false;  ///< of 8 bits a colour, in 16: the lower ones are 0
+  bool narrow_palette_ = false;           ///< of 8 bits a colour, in 16: the lower ones are 0
+  std::optional<std::uint64_t> no_data_;  ///< whether pixels have it or not
   Raster raster_;
   std::optional<Error> error_;
 };

@@ -16,6 +16,14 @@ namespace cover {
 /// for a label; -1 is one.
 inline constexpr std::uint64_t kNoPixel = std::uint64_t{1} << 63U;
 
+/// Where a file says that its picture lies on a map.
+struct PlaceOnMap {
+  std::string system;  ///< "EPSG:25832"; empty: not said
+  Point first;         ///< where the first pixel of the first row is
+  double pixel_width = 1;
+  double pixel_height = 1;
+};
+
 /// A number for each pixel: a grey value or label; or a colour, 16 bits for each of red, green,
 /// blue.
 struct Raster {
@@ -28,6 +36,8 @@ struct Raster {
   Point corner;              ///< the lower left one
   double pixel_width = 1;
   double pixel_height = 1;
+  std::optional<PlaceOnMap> place;       ///< told only: `corner` and sizes of pixels know none
+  std::optional<std::uint64_t> no_data;  ///< pixels that hold nothing, as the file says, if any do
 };
 
 /// Readers by format. `source` is the file's name for messages. More pixels than a file of its size

@@ -139,6 +139,25 @@ void warn(const ImageBorders& borders, std::vector<std::string>& warnings) {
                                    counted(borders.less_smoothed, "border"), borders.smoothed));
 }
 
+/// What the file says and pictures do not take.
+void warn(const Raster& raster, const Legend& legend, const std::string& source,
+          std::vector<std::string>& warnings) {
+  if (const auto& place = raster.place)
+    warnings.push_back(fmt::format(
+        "the picture has a place on a map, which is left out: its first pixel is at ({}, {}){}{}, "
+        "a pixel {} by {}, and here it is a unit square; 'gdal_polygonize.py {} -f GeoJSON "
+        "OUT.geojson' makes a map of it, and --material-field DN takes its numbers",
+        place->first.x, place->first.y, place->system.empty() ? "" : " of ", place->system,
+        place->pixel_width, place->pixel_height, source));
+  if (!raster.no_data) return;
+  const std::string label = label_of(raster, *raster.no_data);
+  if (!legend.contains(label))
+    warnings.push_back(
+        fmt::format("pixels of {} hold no data, as the file says, and count as a material here: a "
+                    "line '{},void' in the file of --legend makes them void",
+                    label, label));
+}
+
 }  // namespace
 
 Result<Input> parse_image(std::string_view data, std::string_view extension,
@@ -166,6 +185,7 @@ Result<Input> input_of(const Raster& raster, const std::string& source,
   if (!borders) return std::move(borders).error();
   Input input;
   input.source = source;
+  input.is_picture = true;
   input.polygons = std::move(borders->polygons);
   if (taken > 0)
     input.warnings.push_back(fmt::format("{} of fewer than {} pixels became part of what is around",
@@ -177,6 +197,7 @@ Result<Input> input_of(const Raster& raster, const std::string& source,
     input.warnings.emplace_back("all pixels are transparent, or void by the legend");
   warn(*borders, input.warnings);
   warn(*legend, raster, input.warnings);
+  warn(raster, *legend, source, input.warnings);
   for (InputPolygon& polygon : input.polygons) {
     for (std::vector<Point>& ring : polygon.rings)
       for (Point& p : ring)

@@ -115,6 +115,18 @@ const Input* find_known(const std::vector<Input>& inputs) {
   return known;
 }
 
+/// A picture that lies nowhere near a map: pixels know no place on one.
+std::string sentence_of_picture(const Input& one, const Input& other) {
+  const Input& picture = one.is_picture ? one : other;
+  const Box box = box_of_input(picture);
+  return fmt::format(
+      "{} is a picture, whose pixels have no place on the map {}: they lie from ({}, {}) to "
+      "({}, {}), apart from it; 'gdal_polygonize.py {} -f GeoJSON OUT.geojson' makes a map of one "
+      "that says its place",
+      picture.source, with_system(one.is_picture ? other : one), box.low.x, box.low.y, box.high.x,
+      box.high.y, picture.source);
+}
+
 /// Looks at one pair in the order of the inputs.
 Status check_pair(const Input& one, const Input& other, std::vector<std::string>& warnings) {
   if (one.system == other.system) return ok();
@@ -129,6 +141,15 @@ Status check_pair(const Input& one, const Input& other, std::vector<std::string>
     warnings.push_back(
         fmt::format("{} and {} name their coordinate systems differently: if they are not one, {}",
                     with_system(one), with_system(other), advice(one, other)));
+    return ok();
+  }
+  if (one.is_picture != other.is_picture) {
+    if (box_of_input(one).meets(box_of_input(other))) return ok();
+    const std::string sentence = sentence_of_picture(one, other);
+    if (one.unit != other.unit)
+      return bad_option(fmt::format("{} and {} cannot be taken together: {}", one.source,
+                                    other.source, sentence));
+    warnings.push_back(sentence);
     return ok();
   }
   if (!lie_apart(one, other)) return ok();

@@ -241,6 +241,7 @@ Status join(Input& all, Input more, std::size_t file) {
   if (!more.segments.empty()) all.void_rule = more.void_rule;
   if (more.field) all.field = more.field;
   all.seeds_may_miss |= more.seeds_may_miss;
+  all.is_picture &= more.is_picture;
   const std::size_t before = all.points.size(), count = more.points.size();
   const auto circles = static_cast<std::uint32_t>(all.circles.size());
   append_by_point(all.point_ids, std::move(more.point_ids), before, count,

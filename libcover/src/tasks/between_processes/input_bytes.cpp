@@ -75,11 +75,12 @@ template <Either<Input> T>
 auto members(T& input) {
   auto& [source, unit, scale, warnings, points, point_ids, point_lines, point_markers, segments,
          holes, seeds, void_rule, polygons, lines, field, attributes, circles, periodic, layers,
-         changes, system, asked, point_names, seeds_may_miss, other_unit, files] = input;
+         changes, system, asked, point_names, seeds_may_miss, other_unit, is_picture, files] =
+      input;
   return std::tie(source, unit, scale, warnings, points, point_ids, point_lines, point_markers,
                   segments, holes, seeds, void_rule, polygons, lines, field, attributes, circles,
                   periodic, layers, changes, system, asked, point_names, seeds_may_miss, other_unit,
-                  files);
+                  is_picture, files);
 }
 
 template <Either<ReadOptions> T>

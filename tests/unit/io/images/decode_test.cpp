@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <map>
 #include <random>
 #include <string>
@@ -295,7 +296,21 @@ struct TiffKind {
   bool big_endian = false, differences = false;
 };
 
-std::string tiff(const Picture& p, const TiffKind& kind, const Numbers& colour_map = {}) {
+/// An entry of a directory with the type of its values, which are in `list`.
+struct TiffEntry {
+  unsigned tag, type;
+  std::uint64_t count;
+  std::string list;
+};
+
+std::string doubles(const std::vector<double>& values) {
+  std::string list;
+  for (const double v : values) list += bytes_of(std::bit_cast<std::uint64_t>(v), 8, false);
+  return list;
+}
+
+std::string tiff(const Picture& p, const TiffKind& kind, const Numbers& colour_map = {},
+                 const std::vector<TiffEntry>& more = {}) {
   const bool big = kind.big_endian;
   std::string out =
       (big ? std::string("MM\0*", 4) : std::string("II*\0", 4)) + std::string(4, '\0');
@@ -320,11 +335,9 @@ std::string tiff(const Picture& p, const TiffKind& kind, const Numbers& colour_m
   }
   std::string entries;
   unsigned count = 0;
-  const auto entry = [&](unsigned tag, unsigned bytes, const Numbers& values) {
-    std::string list;
-    for (const std::uint64_t v : values) list += bytes_of(v, bytes, big);
-    entries += bytes_of(tag, 2, big) + bytes_of(bytes == 2 ? 3 : 4, 2, big) +
-               bytes_of(values.size(), 4, big);
+  const auto add = [&](const TiffEntry& e) {
+    std::string list = e.list;
+    entries += bytes_of(e.tag, 2, big) + bytes_of(e.type, 2, big) + bytes_of(e.count, 4, big);
     if (list.size() > 4) {
       entries += bytes_of(out.size(), 4, big);
       out += list;
@@ -333,6 +346,11 @@ std::string tiff(const Picture& p, const TiffKind& kind, const Numbers& colour_m
       entries += list;
     }
     ++count;
+  };
+  const auto entry = [&](unsigned tag, unsigned bytes, const Numbers& values) {
+    std::string list;
+    for (const std::uint64_t v : values) list += bytes_of(v, bytes, big);
+    add({tag, bytes == 2 ? 3U : 4U, values.size(), list});
   };
   entry(256, 2, {p.width});
   entry(257, 4, {p.height});
@@ -346,6 +364,7 @@ std::string tiff(const Picture& p, const TiffKind& kind, const Numbers& colour_m
   if (kind.differences) entry(317, 2, {2});
   if (!colour_map.empty()) entry(320, 2, colour_map);
   entry(339, 2, {kind.format});
+  for (const TiffEntry& e : more) add(e);
   const std::string directory = bytes_of(out.size(), 4, big);
   out += bytes_of(count, 2, big) + entries + std::string(4, '\0');
   return out.replace(4, 4, directory);
@@ -414,6 +433,74 @@ TEST(DecodeTiff, FurtherPicturesAreCounted) {
   EXPECT_NE(std::find(input->warnings.begin(), input->warnings.end(),
                       "the file has 2 pictures: the first is taken"),
             input->warnings.end());
+}
+
+/// Tags of GeoTIFF: 20 by 10 a pixel, of EPSG:25832.
+std::vector<TiffEntry> place_on_map(const std::vector<double>& tie_point) {
+  const Numbers keys{1, 1, 0, 2, 1024, 0, 1, 1, 3072, 0, 1, 25832};
+  std::string list;
+  for (const std::uint64_t key : keys) list += bytes_of(key, 2, false);
+  return {{33550, 12, 3, doubles({20, 10, 0})},
+          {33922, 12, tie_point.size(), doubles(tie_point)},
+          {34735, 3, keys.size(), list}};
+}
+
+TEST(DecodeTiff, ThePlaceOnAMapIsTold) {
+  const Picture p = random_picture(9, 9, 1, 8, 1);
+  const std::string data = tiff(p, {}, {}, place_on_map({2, 1, 0, 500040, 4999990, 0}));
+  const Result<Raster> raster = decode_tiff(data, "t");
+  ASSERT_TRUE(raster && raster->place);
+  EXPECT_EQ(pixels_of(*raster), p.numbers);
+  EXPECT_EQ(raster->place->system, "EPSG:25832");
+  EXPECT_EQ(raster->place->first, Point(500000, 5000000));
+  EXPECT_EQ(raster->place->pixel_width, 20);
+  EXPECT_EQ(raster->place->pixel_height, 10);
+  EXPECT_EQ(raster->corner, Point(0, 0));
+  const Result<Input> input = parse_input(data, ".tif", "t.tif");
+  ASSERT_TRUE(input);
+  EXPECT_TRUE(input->is_picture);
+  EXPECT_EQ(input->warnings.back(),
+            "the picture has a place on a map, which is left out: its first pixel is at (500000, "
+            "5000000) of EPSG:25832, a pixel 20 by 10, and here it is a unit square; "
+            "'gdal_polygonize.py t.tif -f GeoJSON OUT.geojson' makes a map of it, and "
+            "--material-field DN takes its numbers");
+  const std::string turned = tiff(
+      p, {}, {}, {{34264, 12, 16, doubles({0, 4, 0, 7, -3, 0, 0, 8, 0, 0, 0, 0, 0, 0, 0, 1})}});
+  const Result<Raster> by_matrix = decode_tiff(turned, "t");
+  ASSERT_TRUE(by_matrix && by_matrix->place);
+  EXPECT_EQ(by_matrix->place->first, Point(7, 8));
+  EXPECT_EQ(by_matrix->place->pixel_width, 3);
+  EXPECT_EQ(by_matrix->place->pixel_height, 4);
+  EXPECT_EQ(by_matrix->place->system, "");
+
+  // No picture is damaged by what is damaged of its place.
+  EXPECT_FALSE(decode_tiff(tiff(p, {}), "t")->place);
+  EXPECT_FALSE(decode_tiff(tiff(p, {}, {}, place_on_map({0, 0, 0, 5})), "t")->place);
+  const Result<Raster> cut = decode_tiff(
+      tiff(p, {}, {}, {{33550, 12, 1U << 30U, doubles({1, 1, 0})}, {33922, 4, 6, "beyond"}}), "t");
+  ASSERT_TRUE(cut);
+  EXPECT_FALSE(cut->place);
+}
+
+TEST(DecodeTiff, PixelsThatHoldNoDataAreTold) {
+  const auto warned = [](const Picture& p, unsigned format, const std::string& no_data) {
+    const std::string data =
+        tiff(p, {1, 1, format}, {}, {{42113, 2, no_data.size() + 1, no_data + '\0'}});
+    const Result<Input> input = parse_input(data, ".tif", "t.tif");
+    EXPECT_TRUE(input);
+    if (!input) return std::string();
+    const auto told =
+        std::find_if(input->warnings.begin(), input->warnings.end(),
+                     [](const std::string& w) { return w.find("no data") != std::string::npos; });
+    return told == input->warnings.end() ? "" : *told;
+  };
+  EXPECT_EQ(warned({2, 1, 1, 8, {255, 5}}, 1, "255"),
+            "pixels of 255 hold no data, as the file says, and count as a material here: a line "
+            "'255,void' in the file of --legend makes them void");
+  EXPECT_EQ(warned({2, 1, 1, 16, {0xffff, 5}}, 2, "-1").find("pixels of -1 hold"), 0U);
+  EXPECT_EQ(warned({2, 1, 1, 16, {0xffff, 5}}, 1, "-1"), "");
+  EXPECT_EQ(warned({2, 1, 1, 8, {255, 5}}, 1, "0"), "");
+  EXPECT_EQ(warned({2, 1, 1, 8, {255, 5}}, 1, "nan"), "");
 }
 
 TEST(DecodeTiff, Mistakes) {

@@ -109,6 +109,28 @@ TEST(CoordinateSystems, WhereOneIsNotKnownTheExtentsTell) {
   }
 }
 
+TEST(CoordinateSystems, PixelsOfAPictureHaveNoPlaceOnAMap) {
+  Input picture = square_map("a.tif", "", {0, 0}, 60);
+  picture.is_picture = true;
+  const std::string sentence =
+      "a.tif is a picture, whose pixels have no place on the map b.shp (EPSG:25832): they lie from "
+      "(0, 0) to (60, 60), apart from it; 'gdal_polygonize.py a.tif -f GeoJSON OUT.geojson' makes "
+      "a map of one that says its place";
+  Input map = in_plane("b.shp", "EPSG:25832");
+  const Result<Input> apart = join_inputs({picture, map});
+  ASSERT_TRUE(apart) << apart.error().message;
+  EXPECT_EQ(apart->warnings, std::vector<std::string>{sentence});
+  EXPECT_FALSE(apart->is_picture);
+  map.unit = "m";
+  const Result<Input> refused = join_inputs({map, picture});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message, "b.shp and a.tif cannot be taken together: " + sentence);
+  const Result<Input> beside =
+      join_inputs({picture, square_map("b.json", "EPSG:25832", {5, 5}, 400)});
+  ASSERT_TRUE(beside) << beside.error().message;
+  EXPECT_TRUE(beside->warnings.empty());
+}
+
 TEST(CoordinateSystems, NamesAloneAreTold) {
   const Result<Input> joined =
       join_inputs({in_plane("a.shp", "Soldner Berlin"), in_plane("b.shp", "EPSG:25832")});
