@@ -99,6 +99,9 @@ Result<MapProjection> projection_of(OGRSpatialReferenceH system, const std::stri
   }
   const Reference to = system_named(wanted);
   if (!to) return bad_option(fmt::format("crs: PROJ does not know '{}'; as EPSG:25832", wanted));
+  if (gdal.OSRIsProjected(to.get()) == 0 && gdal.OSRIsGeographic(to.get()) == 0)
+    return bad_option(fmt::format(
+        "crs: '{}' is a system of heights, or in space, and no plane one; as EPSG:25832", wanted));
   if (system == nullptr)
     return bad_option("crs: the layer does not say in which system its coordinates are");
   const Reference from(gdal.OSRClone(system));

@@ -24,7 +24,8 @@ struct MapProjection {
 /// places of a network, which GDAL would read a system from, are not known.
 /// REQUIRES: an open GDAL
 ///
-/// Errors: bad_option, where PROJ does not know `wanted` or the layer does not say what it has
+/// Errors: bad_option, where PROJ does not know `wanted`, it is not of a plane, or the layer does
+/// not say what it has
 Result<MapProjection> projection_of(OGRSpatialReferenceH system, const std::string& wanted);
 
 /// The same of a system that is known by its name alone, coordinates taken as they are; nothing

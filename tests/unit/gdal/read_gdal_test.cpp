@@ -202,6 +202,15 @@ TEST_F(ReadGdal, DegreesAreToldAndProjected) {
     options.crs = unknown;
     EXPECT_EQ(message(map, options), "crs: PROJ does not know '" + unknown + "'; as EPSG:25832");
   }
+  // A height, one below sea, x, y and z from the middle of the earth.
+  for (const std::string other : {"EPSG:5773", "EPSG:5783", "EPSG:4978"}) {
+    options.crs = other;
+    EXPECT_EQ(message(map, options), "crs: '" + other +
+                                         "' is a system of heights, or in space, and no plane one; "
+                                         "as EPSG:25832");
+  }
+  options.crs = "EPSG:25832+5783";  // with a height
+  EXPECT_EQ(read(map, options).unit, "m");
 }
 
 TEST_F(ReadGdal, WithoutASystemNothingIsProjected) {
