@@ -205,7 +205,11 @@ class TiffDecoder {
     if (photometric_ > 3) return unsupported(fmt::format("of the colours {}", photometric_));
     if (photometric_ == 2 && samples_ < 3)
       return unsupported("of colours with fewer than 3 numbers");
-    if (tag(kSampleFormat, 1) > 2) return unsupported("of other than whole numbers");
+    if (tag(kSampleFormat, 1) > 2)
+      return fail(ErrorCode::unsupported_format,
+                  "TIFF of other than whole numbers: those of a picture are labels of materials; "
+                  "for a field of sizes, 'gdal_translate -of XYZ FILE OUT.csv' makes points that "
+                  "--size-field takes");
     if (compression_ != 1 && compression_ != 5 && compression_ != 8 && compression_ != 32773 &&
         compression_ != 32946)
       return unsupported(fmt::format("with compression {}", compression_));

@@ -515,6 +515,11 @@ TEST(DecodeTiff, Mistakes) {
   EXPECT_NE(refusal(tiff(random_picture(9, 9, 1, 8, 1), {1, 7, 1, 4, false, false}))
                 .find("compression 7"),
             std::string::npos);
+  EXPECT_EQ(
+      refusal(tiff(random_picture(9, 9, 1, 32, 1), {1, 1, 3})),
+      "t: TIFF of other than whole numbers: those of a picture are labels of materials; for a "
+      "field of sizes, 'gdal_translate -of XYZ FILE OUT.csv' makes points that --size-field "
+      "takes");
   std::string lying = good;  // the width
   lying.replace(lying.find(bytes_of(256, 2, false) + bytes_of(3, 2, false)) + 8, 2, "\xff\xff");
   EXPECT_NE(refusal(lying).find("fewer pixels"), std::string::npos);

@@ -14,12 +14,16 @@
 #include "cdt/cdt.hpp"
 #include "geom/predicates.hpp"
 #include "geom/triangle.hpp"
+#include "io/images/raster.hpp"
 #include "io/input/formats.hpp"
 #include "io/text/text.hpp"
 #include "io/vtk_files/read_data_set.hpp"
 
 namespace cover {
 namespace {
+
+constexpr const char* kFieldOfRaster =
+    "of a raster, 'gdal_translate -of XYZ FILE OUT.csv' makes points x,y,h that can be read";
 
 using Nodes = std::span<const std::uint32_t>;
 
@@ -171,14 +175,35 @@ class CsvReader {
  private:
   void fail(ErrorCode code, const std::string& what) { error_ = lines_.error(code, what); }
 
+  /// Whether semicolons stand in fields; quoted names may have them.
+  static bool has_semicolons(const std::vector<std::string_view>& fields) {
+    return std::any_of(fields.begin(), fields.end(), [](std::string_view field) {
+      return field.front() != '"' && field.find(';') != std::string_view::npos;
+    });
+  }
+
+  /// `row` is a line of numbers: where no semicolon stands between two of its fields, the comma
+  /// there is a decimal one.
+  void fail_at_semicolons(const std::vector<std::string_view>& row) {
+    const bool decimal_commas =
+        has_semicolons(row) &&
+        std::adjacent_find(row.begin(), row.end(),
+                           [](std::string_view left, std::string_view right) {
+                             return left.back() != ';' && right.front() != ';';
+                           }) != row.end();
+    fail(ErrorCode::syntax,
+         decimal_commas ? "columns are separated by ';', and decimals have a comma? Commas or "
+                          "blanks are read between columns, and decimals have a point"
+                        : "columns are separated by ';'? Commas or blanks are read between them");
+  }
+
   /// The first line, where it holds no numbers: columns x and y wherever they stand.
   void read_names() {
-    const auto is_several = [](const std::string& name) {
-      return name.front() != '"' && name.find(';') != std::string::npos;
-    };
-    if (std::any_of(names_.begin(), names_.end(), is_several))
-      return fail(ErrorCode::syntax,
-                  "columns are separated by ';'? Commas or blanks are read between them");
+    if (has_semicolons(lines_.fields())) {
+      LineReader ahead(lines_.rest(), "", '#', Separator::comma);
+      ahead.next();
+      return fail_at_semicolons(ahead.fields());
+    }
     for (std::string& name : names_) {
       if (name.size() > 1 && name.front() == '"' && name.back() == '"')
         name = name.substr(1, name.size() - 2);
@@ -194,6 +219,7 @@ class CsvReader {
   }
 
   void read_row(const std::vector<std::string_view>& fields) {
+    if (has_semicolons(fields)) return fail_at_semicolons(fields);
     if (names_.empty()) names_ = {"x", "y", "h"};
     if (names_.size() < 3) return fail(ErrorCode::syntax, "expected x, y and a value in each line");
     if (fields.size() != names_.size())
@@ -279,11 +305,21 @@ Result<PlaneField> read_plane_field(const std::string& path) {
   if (extension == ".tif" || extension == ".str") {
     const Result<std::string> text = read_file(path);
     if (!text) return text.error();
+    if (extension == ".tif" && is_tiff(*text))
+      return wrong_file(
+          path, fmt::format("a picture, which holds no field of sizes; {}", kFieldOfRaster));
     const Result<Input> input =
         extension == ".str" ? parse_suprem(*text, path) : parse_tif(*text, path);
     if (!input) return input.error();
     return input->field ? *input->field : PlaneField();
   }
+  if (!is_data_set(extension))
+    return Error{
+        ErrorCode::unsupported_format,
+        fmt::format("{}: a field of sizes is read from .csv, .vtu, .vtp, .vti and .vtk; {}", path,
+                    kFieldOfRaster),
+        {},
+        {}};
   const Result<DataSetFile> file = read_data_set(path);
   if (!file) return file.error();
   return field_of(file->data);

@@ -123,6 +123,23 @@ TEST(ReadSizeField, TablesThatAreNone) {
   for (const char* text : {"0;0;1\n1;0;1", "x;y;h\n0;0;1", "x; y; h\n0; 0; 1"})
     EXPECT_EQ(refusal(text),
               ":1: columns are separated by ';'? Commas or blanks are read between them");
+  for (const char* text :
+       {"0,5;0,5;1,5\n1,5;0;1", "x;y;h\n0,5;0;1", "x; y; h\n0,5; 0; 1", "0,5;1;2"})
+    EXPECT_EQ(refusal(text),
+              ":1: columns are separated by ';', and decimals have a comma? Commas or blanks are "
+              "read between columns, and decimals have a point");
+}
+
+TEST(ReadSizeField, OfARasterPointsAreWanted) {
+  const TemporaryFolder folder;
+  const std::string advice =
+      "; of a raster, 'gdal_translate -of XYZ FILE OUT.csv' makes points x,y,h that can be read";
+  const std::string picture = folder.write("a.tif", std::string("II*\0", 4));
+  EXPECT_EQ(read_size_field(picture).error().message,
+            picture + ": a picture, which holds no field of sizes" + advice);
+  const std::string grid = folder.write("a.asc", "ncols 2\n");
+  EXPECT_EQ(read_size_field(grid).error().message,
+            grid + ": a field of sizes is read from .csv, .vtu, .vtp, .vti and .vtk" + advice);
 }
 
 TEST(ReadSizeField, WhatChangesIsResolved) {
