@@ -305,7 +305,7 @@ class MapReader {
     for (std::size_t k = 0; k < kept_.size(); ++k) attributes_.set(k, value_of(feature, kept_[k]));
     ++features_;
     Geometry geometry(gdal_.OGR_F_StealGeometry(feature));
-    if (!geometry) return;
+    if (!geometry) return left_out_.add_empty();
     if (gdal_.OGR_G_HasCurveGeometry(geometry.get(), 0) != 0)
       geometry.reset(gdal_.OGR_G_GetLinearGeometry(geometry.get(), options_.chord_angle, nullptr));
     if (!geometry) return fail(ErrorCode::syntax, fmt::format("feature {}: a broken curve", fid_));
@@ -313,6 +313,7 @@ class MapReader {
   }
 
   void read_geometry(OGRGeometryH geometry) {
+    if (gdal_.OGR_G_IsEmpty(geometry) != 0) return left_out_.add_empty();
     switch (gdal_.OGR_GT_Flatten(gdal_.OGR_G_GetGeometryType(geometry))) {
       case wkbPolygon:
       case wkbTriangle:
@@ -345,8 +346,11 @@ class MapReader {
     const auto n = static_cast<std::size_t>(gdal_.OGR_G_GetPointCount(curve));
     std::vector<Point> points(n);
     if (n == 0) return points;
-    std::vector<double> x(n), y(n);
-    gdal_.OGR_G_GetPoints(curve, x.data(), sizeof(double), y.data(), sizeof(double), nullptr, 0);
+    std::vector<double> x(n), y(n), z(n);
+    gdal_.OGR_G_GetPoints(curve, x.data(), sizeof(double), y.data(), sizeof(double), z.data(),
+                          sizeof(double));
+    for (const double height : z)
+      if (height != 0) left_out_.add_height();
     const std::vector<double> given_x = projection_.transform ? x : std::vector<double>();
     const std::vector<double> given_y = projection_.transform ? y : std::vector<double>();
     if (projection_.transform)
@@ -377,7 +381,6 @@ class MapReader {
   }
 
   void add_polygon(OGRGeometryH polygon) {
-    if (gdal_.OGR_G_IsEmpty(polygon) != 0) return;
     attributes_.add_shape(feature_, FeatureShape::area);
     if (words_.is_void) left_out_.add_void();
     InputPolygon out;
@@ -392,7 +395,6 @@ class MapReader {
   }
 
   void add_line(OGRGeometryH line) {
-    if (gdal_.OGR_G_IsEmpty(line) != 0) return;
     if (words_.size) left_out_.add_size_of_line();
     attributes_.add_shape(feature_, FeatureShape::line);
     InputLine out{words_.name, points_of(line), static_cast<long>(input_.lines.size())};
@@ -403,7 +405,6 @@ class MapReader {
   }
 
   void add_point(OGRGeometryH point) {
-    if (gdal_.OGR_G_IsEmpty(point) != 0) return;
     if (words_.size) left_out_.add_size_of_point();
     attributes_.add_shape(feature_, FeatureShape::point);
     for (const Point p : points_of(point)) {

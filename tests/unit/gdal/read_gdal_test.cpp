@@ -404,6 +404,20 @@ TEST_F(ReadGdal, SurfacesInSpaceAreLeftOutUnlessStrict) {
   EXPECT_EQ(refused.error().code, ErrorCode::changed_input);
 }
 
+TEST_F(ReadGdal, WhatIsLeftOutIsCounted) {
+  const std::string path = folder_.write("z.geojson", R"({"type": "FeatureCollection",
+    "crs": {"type": "name", "properties": {"name": "EPSG:25832"}}, "features": [
+    {"type": "Feature", "properties": {"USE": 1}, "geometry": null},
+    {"type": "Feature", "properties": {"USE": 2}, "geometry":
+      {"type": "MultiPoint", "coordinates": []}},
+    {"type": "Feature", "properties": {"USE": 3}, "geometry":
+      {"type": "LineString", "coordinates": [[0, 0, 0], [1, 0, 5], [2, 0, 6]]}}]})");
+  const Input input = read(path);
+  EXPECT_EQ(input.warnings,
+            (std::vector<std::string>{"2 geometries are null or empty: left out",
+                                      "2 points are not in the plane: z is dropped"}));
+}
+
 TEST_F(ReadGdal, TheSystemIsKnownByItsNumber) {
   for (const char* name : {"p.gpkg", "p.shp", "p.fgb", "p.gml"}) {
     SCOPED_TRACE(name);

@@ -30,6 +30,13 @@ void LeftOut::tell(std::string_view what, Input& input) const {
                         : fmt::format("{} geometries are surfaces in space: left out", surfaces_),
          {},
          {}});
+  if (empty_ > 0)
+    warnings.push_back(empty_ == 1
+                           ? std::string("1 geometry is null or empty: left out")
+                           : fmt::format("{} geometries are null or empty: left out", empty_));
+  if (heights_ > 0)
+    warnings.push_back(fmt::format("{} not in the plane: z is dropped",
+                                   counted(heights_, "point") + (heights_ == 1 ? " is" : " are")));
   if (voids_ > 0)
     warnings.push_back(fmt::format(
         "in a map 'void' is a material like others, here of {}: what is to be left out has to be "

@@ -29,6 +29,10 @@ inline constexpr const char* kMayBeDegrees =
 class LeftOut {
  public:
   void add_surface() { ++surfaces_; }
+  /// A feature without a geometry, or a geometry without coordinates: maps may have both.
+  void add_empty() { ++empty_; }
+  /// A point above or below the plane.
+  void add_height() { ++heights_; }
   /// A polygon whose material is called as drawings call none.
   void add_void() { ++voids_; }
   /// A wished edge length that is none, in the feature of that number.
@@ -43,7 +47,8 @@ class LeftOut {
   void tell(std::string_view what, Input& input) const;
 
  private:
-  std::size_t surfaces_ = 0, voids_ = 0, sizes_ = 0, sizes_of_lines_ = 0, sizes_of_points_ = 0;
+  std::size_t surfaces_ = 0, empty_ = 0, heights_ = 0;
+  std::size_t voids_ = 0, sizes_ = 0, sizes_of_lines_ = 0, sizes_of_points_ = 0;
   long first_size_ = 0;
 };
 

@@ -139,28 +139,37 @@ class GeoReader {
     const auto coordinates = [&]() -> const Json& {
       return json_.array(json_.required(object, "coordinates"), "coordinates");
     };
+    const auto parts = [&]() -> const Json& {
+      const Json& all = coordinates();
+      if (!json_.failed()) is_empty(all);
+      return all;
+    };
     if (type == "FeatureCollection") {
       for (const Json& f : json_.array(json_.required(object, "features"), "features"))
         push(f, properties);
     } else if (type == "Feature") {
       const Json* geometry = JsonReader::member(object, "geometry");
       const Properties own = read_properties(object);
-      if (geometry) push(*geometry, own);
+      if (geometry)
+        push(*geometry, own);
+      else
+        left_out_.add_empty();
     } else if (type == "GeometryCollection") {
-      for (const Json& g : json_.array(json_.required(object, "geometries"), "geometries"))
-        push(g, properties);
+      const Json& all = json_.array(json_.required(object, "geometries"), "geometries");
+      if (is_empty(all)) return;
+      for (const Json& g : all) push(g, properties);
     } else if (type == "Polygon") {
       read_polygon(coordinates(), properties);
     } else if (type == "MultiPolygon") {
-      for (const Json& polygon : coordinates()) read_polygon(polygon, properties);
+      for (const Json& polygon : parts()) read_polygon(polygon, properties);
     } else if (type == "LineString") {
       read_line(coordinates(), properties);
     } else if (type == "MultiLineString") {
-      for (const Json& line : coordinates()) read_line(line, properties);
+      for (const Json& line : parts()) read_line(line, properties);
     } else if (type == "Point") {
       read_point(coordinates(), properties);
     } else if (type == "MultiPoint") {
-      for (const Json& point : coordinates()) read_point(point, properties);
+      for (const Json& point : parts()) read_point(point, properties);
     } else {
       json_.fail(object, fmt::format("the type \"{}\" is not one of GeoJSON{}", type,
                                      type == "Topology" ? ": ogr2ogr makes that of TopoJSON" : ""));
@@ -309,18 +318,33 @@ class GeoReader {
     return value.is_number_float() || value.is_boolean() ? value.dump() : json_.name(value);
   }
 
+  /// Counts what has no coordinates, which by the RFC is as null.
+  bool is_empty(const Json& coordinates) {
+    if (!coordinates.is_array() || !coordinates.empty()) return false;
+    left_out_.add_empty();
+    return true;
+  }
+
+  Point read_position(const Json& position) {
+    const Point p = json_.point(position, true);
+    if (!json_.failed() && position.size() > 2 && position[2].is_number() &&
+        position[2].get<double>() != 0)
+      left_out_.add_height();
+    return p;
+  }
+
   std::vector<Point> read_path(const Json& coordinates) {
     std::vector<Point> path;
     for (const Json& position : json_.array(coordinates, "positions")) {
       if (json_.failed()) break;
-      path.push_back(json_.point(position, true));
+      path.push_back(read_position(position));
     }
     return path;
   }
 
   void read_polygon(const Json& coordinates, const Properties& properties) {
     if (json_.failed()) return;
-    if (coordinates.is_array() && coordinates.empty()) return;  // the RFC: as null
+    if (is_empty(coordinates)) return;
     attributes_.add_shape(properties.feature, FeatureShape::area);
     if (properties.is_void) left_out_.add_void();
     InputPolygon polygon;
@@ -338,13 +362,13 @@ class GeoReader {
 
   void read_point(const Json& position, const Properties& properties) {
     if (json_.failed()) return;
-    if (position.is_array() && position.empty()) return;  // the RFC: as null
+    if (is_empty(position)) return;
     if (properties.size) left_out_.add_size_of_point();
     attributes_.add_shape(properties.feature, FeatureShape::point);
     if (!properties.name.empty())
       input_.point_names.push_back(
           {static_cast<std::uint32_t>(input_.points.size()), properties.name});
-    input_.points.push_back(json_.point(position, true));
+    input_.points.push_back(read_position(position));
   }
 
   void look_for_holes_outside(const std::vector<std::vector<Point>>& rings) {
@@ -363,7 +387,7 @@ class GeoReader {
 
   void read_line(const Json& coordinates, const Properties& properties) {
     if (json_.failed()) return;
-    if (coordinates.is_array() && coordinates.empty()) return;  // the RFC: as null
+    if (is_empty(coordinates)) return;
     if (properties.size) left_out_.add_size_of_line();
     attributes_.add_shape(properties.feature, FeatureShape::line);
     InputLine line{properties.name, read_path(coordinates), static_cast<long>(input_.lines.size())};

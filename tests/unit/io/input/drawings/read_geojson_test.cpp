@@ -39,8 +39,11 @@ TEST(ReadGeojson, ReadsFeaturesInTheOrderOfTheFile) {
   ASSERT_EQ(input->lines.size(), 1u);
   EXPECT_EQ(input->lines[0].name, "bulk");
   EXPECT_EQ(input->points, (std::vector<Point>{{1, 1}, {2, 1}, {3, 1}}));
-  EXPECT_EQ(input->warnings, std::vector<std::string>{
-                                 "the property 'size' of 1 point is left out: it is one of areas"});
+  EXPECT_EQ(
+      input->warnings,
+      (std::vector<std::string>{"2 geometries are null or empty: left out",
+                                "3 points are not in the plane: z is dropped",
+                                "the property 'size' of 1 point is left out: it is one of areas"}));
 }
 
 TEST(ReadGeojson, PointsHaveNames) {
@@ -100,6 +103,43 @@ TEST(ReadGeojson, TakesNumbersForNamesAndEmptyCoordinatesForNull) {
   EXPECT_EQ(input->polygons[1].region, "true");
   EXPECT_EQ(input->polygons[1].material, "false");
   EXPECT_TRUE(input->lines.empty());
+  EXPECT_EQ(input->warnings[0], "2 geometries are null or empty: left out");
+}
+
+TEST(ReadGeojson, NullAndEmptyGeometriesAreCounted) {
+  const auto told = [](const std::string& geometry) {
+    const Result<Input> input = parse_geojson(
+        R"({"type": "FeatureCollection", "crs": null, "features": [
+          {"type": "Feature", "geometry": {"type": "Point", "coordinates": [1, 1]}},
+          {"type": "Feature", "geometry": )" +
+            geometry + "}]}",
+        "map.geojson");
+    EXPECT_TRUE(input.has_value()) << input.error().message;
+    return input ? input->warnings : std::vector<std::string>{"refused"};
+  };
+  const std::vector<std::string> one{"1 geometry is null or empty: left out"};
+  EXPECT_EQ(told("null"), one);
+  for (const char* type :
+       {"Point", "LineString", "Polygon", "MultiPoint", "MultiLineString", "MultiPolygon"})
+    EXPECT_EQ(told(std::string(R"({"type": ")") + type + R"(", "coordinates": []})"), one) << type;
+  EXPECT_EQ(told(R"({"type": "GeometryCollection", "geometries": []})"), one);
+  EXPECT_EQ(told(R"({"type": "MultiPoint", "coordinates": [[3, 3], []]})"), one);
+  EXPECT_TRUE(told(R"({"type": "Point", "coordinates": [2, 2]})").empty());
+}
+
+TEST(ReadGeojson, HeightsAreDroppedAndTold) {
+  const auto told = [](const char* line) {
+    const Result<Input> input = parse_geojson(
+        std::string(R"({"type": "LineString", "crs": null, "coordinates": )") + line + "}",
+        "map.geojson");
+    EXPECT_TRUE(input.has_value()) << input.error().message;
+    return input ? input->warnings : std::vector<std::string>{"refused"};
+  };
+  EXPECT_EQ(told("[[0, 0, 5], [1, 0, 0], [2, 0, -3.5]]"),
+            std::vector<std::string>{"2 points are not in the plane: z is dropped"});
+  EXPECT_EQ(told("[[0, 0, 1], [1, 0]]"),
+            std::vector<std::string>{"1 point is not in the plane: z is dropped"});
+  EXPECT_TRUE(told("[[0, 0, 0], [1, 0, 0]]").empty());
 }
 
 TEST(ReadGeojson, SizesAreLengthsAboveZero) {
