@@ -40,6 +40,42 @@ bool are_swapped(std::string_view word, std::string_view candidate) {
   return false;
 }
 
+/// Whether a combining mark (U+0300 to U+036F) stands at `at` in a text of UTF-8.
+bool is_mark_at(std::string_view word, std::size_t at) {
+  const auto byte = [&](std::size_t k) {
+    return k < word.size() ? static_cast<unsigned char>(word[k]) : 0;
+  };
+  return (byte(at) == 0xcc && byte(at + 1) >= 0x80) ||
+         (byte(at) == 0xcd && byte(at + 1) >= 0x80 && byte(at + 1) <= 0xaf);
+}
+
+/// A word whose letters beyond ASCII are all '?', those with marks after them too.
+std::string without_accents(std::string_view word) {
+  std::string plain;
+  for (std::size_t at = 0; at < word.size(); ++at) {
+    const auto byte = static_cast<unsigned char>(word[at]);
+    const bool continues = byte >= 0x80 && byte < 0xc0;
+    if (continues) continue;
+    if (!is_mark_at(word, at))
+      plain += byte < 0x80 ? word[at] : '?';
+    else if (!plain.empty())
+      plain.back() = '?';
+  }
+  return plain;
+}
+
+bool has_marks(std::string_view word) {
+  for (std::size_t at = 0; at < word.size(); ++at)
+    if (is_mark_at(word, at)) return true;
+  return false;
+}
+
+/// Whether words look alike, as one writes accented letters as a letter and a mark after it: files
+/// and terminals of macOS do.
+bool differ_in_accents(std::string_view one, std::string_view other) {
+  return has_marks(one) != has_marks(other) && without_accents(one) == without_accents(other);
+}
+
 }  // namespace
 
 std::optional<std::string> closest(std::string_view word, std::span<const std::string> candidates) {
@@ -49,7 +85,7 @@ std::optional<std::string> closest(std::string_view word, std::span<const std::s
   std::size_t best = 1 + word.size() / 3;
   std::optional<std::string> found;
   for (const std::string& candidate : candidates) {
-    if (are_swapped(word, candidate)) return candidate;
+    if (are_swapped(word, candidate) || differ_in_accents(word, candidate)) return candidate;
     const bool begins = word.size() > 2 && candidate.starts_with(word);
     const std::size_t d = lower(word) == lower(candidate) ? 0
                           : begins                        ? 1
@@ -64,7 +100,13 @@ std::optional<std::string> closest(std::string_view word, std::span<const std::s
 
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
   const auto meant = closest(word, candidates);
-  return meant ? fmt::format("; did you mean '{}'?", *meant) : std::string();
+  if (!meant) return {};
+  if (differ_in_accents(word, *meant))
+    return fmt::format(
+        "; did you mean '{}'? It looks alike, but one of both has accents as letters of their own, "
+        "the other as marks after a letter (NFC and NFD of Unicode)",
+        *meant);
+  return fmt::format("; did you mean '{}'?", *meant);
 }
 
 std::string not_one_of(std::string_view word, std::span<const std::string> candidates) {

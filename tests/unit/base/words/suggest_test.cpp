@@ -29,6 +29,22 @@ TEST(Closest, KnowsALineByItsRegionsTheOtherWayRound) {
   EXPECT_EQ(closest("gate_ledge", lines), std::nullopt);
 }
 
+TEST(Closest, TellsNamesThatDifferInHowAccentsAreWritten) {
+  const std::string composed = "M\xc3\xbcller", marks = "Mu\xcc\x88ller";
+  const std::string alike =
+      "It looks alike, but one of both has accents as letters of their own, the other as marks "
+      "after a letter (NFC and NFD of Unicode)";
+  const auto advice = [](const std::string& word, const std::string& known) {
+    return did_you_mean(word, std::vector<std::string>{known});
+  };
+  EXPECT_EQ(advice(marks, composed), "; did you mean '" + composed + "'? " + alike);
+  EXPECT_EQ(advice(composed, marks), "; did you mean '" + marks + "'? " + alike);
+  const std::string short_name = "\xc3\x96l", short_marks = "O\xcc\x88l";
+  EXPECT_EQ(advice(short_marks, short_name), "; did you mean '" + short_name + "'? " + alike);
+  EXPECT_EQ(advice("M\xc3\xbclles", composed), "; did you mean '" + composed + "'?");
+  EXPECT_EQ(advice("mater", "material"), "; did you mean 'material'?");
+}
+
 TEST(Closest, LeavesVeryLongWordsAlone) {
   EXPECT_EQ(closest(std::string(100000, 'x'), kKeys), std::nullopt);
 }
