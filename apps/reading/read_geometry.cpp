@@ -113,7 +113,7 @@ Result<Input> read_geometry(const std::string& path, const ReadOptions& options,
   Result<Input> input =
       with_all_formats(read_input(path, options), format, path, formats_elsewhere());
 #ifdef COVER_WITH_GDAL
-  if (input && format == ".geojson" && options.unit.empty()) describe_system(*input);
+  if (input && format == ".geojson") describe_system(*input, options);
 #endif
   return input;
 }

@@ -95,6 +95,12 @@ class Layouts(Case):
             return self.run_cover('info', name)
         self.assertIn('lengths in m\n', drawn('a.geojson', 'urn:ogc:def:crs:EPSG::25832', 1000)[0])
         self.assertNotIn('lengths in', drawn('f.geojson', 'EPSG:2263', 1000)[0])  # feet
+        out, told = self.run_cover('info', 'a.geojson', '--unit', 'mm')
+        self.assertIn('lengths in mm\n', out)
+        self.assertIn('the option unit says mm, and the input m: mm is taken', told)
+        told = self.run_cover('info', 'a.geojson', '--unit', 'm', '--scale', '0.001')[1]
+        self.assertIn('the option unit says m, and lengths in m times 0.001 are not in it: m is taken', told)
+        self.assertNotIn('option unit', self.run_cover('info', 'a.geojson', '--unit', 'mm', '--scale', '1000')[1])
         out, told = drawn('b.geojson', 'EPSG:999999', 3000)
         self.assertNotIn('lengths in', out)
         self.assertIn('PROJ does not know the system of its coordinates, EPSG:999999', told)

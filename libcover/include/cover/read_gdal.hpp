@@ -15,9 +15,10 @@ namespace cover {
 bool is_map(std::string_view extension);
 
 /// Completes what a map of another reader says of its coordinate system: Input::unit, where PROJ
-/// knows the system and it is in metres, or a warning where PROJ does not know it. Nothing is done
-/// where a unit is known, coordinates are scaled, or GDAL cannot be opened.
-void describe_system(Input& input);
+/// knows the system and it is in metres, as apply_units() makes it of these with the `options` that
+/// the map was read with; or a warning where PROJ does not know it. Nothing is done where GDAL
+/// cannot be opened.
+void describe_system(Input& input, const ReadOptions& options = {});
 
 /// Reads polygons, lines and points of a map, with the meaning that read_input() gives to those of
 /// GeoJSON (which is read too): polygons are painted, lines are contacts, points are vertices.

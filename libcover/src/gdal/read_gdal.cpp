@@ -457,14 +457,17 @@ bool is_map(std::string_view extension) {
   return std::find(kMaps.begin(), kMaps.end(), extension) != kMaps.end();
 }
 
-void describe_system(Input& input) {
+void describe_system(Input& input, const ReadOptions& options) {
   // Names that are no numbers of a registry may be anything.
-  if (!input.unit.empty() || input.scale != 1 || !input.system.starts_with("EPSG:") ||
-      input.system == kLongitudeLatitude || !gdal_library())
+  if (!input.system.starts_with("EPSG:") || input.system == kLongitudeLatitude || !gdal_library())
     return;
   const QuietGdal quiet;
   if (const auto known = projection_of(input.system)) {
-    input.unit = known->unit;
+    Input said;
+    said.unit = known->unit;
+    if (!apply_units(said, options)) return;  // the input was refused by the same before
+    input.unit = said.unit;
+    input.warnings.insert(input.warnings.end(), said.warnings.begin(), said.warnings.end());
     return;
   }
   // A PROJ without its table knows none.

@@ -13,6 +13,7 @@
 
 #include <cover/cover_mesh.hpp>
 #include <cover/read_input.hpp>
+#include <cover/units.hpp>
 #include <cover/verify.hpp>
 
 #include "support/inputs/soups.hpp"
@@ -416,6 +417,27 @@ TEST_F(ReadGdal, WhatIsLeftOutIsCounted) {
   EXPECT_EQ(input.warnings,
             (std::vector<std::string>{"2 geometries are null or empty: left out",
                                       "2 points are not in the plane: z is dropped"}));
+}
+
+TEST_F(ReadGdal, TheUnitOfAMapOfAnotherReaderIsThatOfItsSystem) {
+  const auto described = [](const std::string& unit, double scale) {
+    Input input;
+    input.system = "EPSG:25832";
+    ReadOptions options;
+    options.unit = unit;
+    options.scale = scale;
+    EXPECT_TRUE(apply_units(input, options));
+    describe_system(input, options);
+    return std::pair(input.unit, input.warnings);
+  };
+  using Found = std::pair<std::string, std::vector<std::string>>;
+  EXPECT_EQ(described("", 1), Found("m", {}));
+  EXPECT_EQ(described("m", 1), Found("m", {}));
+  EXPECT_EQ(described("mm", 1000), Found("mm", {}));
+  EXPECT_EQ(described("mm", 1),
+            Found("mm", {"the option unit says mm, and the input m: mm is taken"}));
+  EXPECT_EQ(described("m", 0.001), Found("m", {"the option unit says m, and lengths in m times "
+                                               "0.001 are not in it: m is taken"}));
 }
 
 TEST_F(ReadGdal, TheSystemIsKnownByItsNumber) {

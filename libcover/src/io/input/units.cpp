@@ -182,6 +182,11 @@ Status apply_units(Input& input, const ReadOptions& options) {
                       before, options.scale));
     return ok();
   }
+  // Another scale may make up for a file that does not mean the unit that it says.
+  if (!before.empty() && input.unit.empty() && power_of_ten(options.scale))
+    input.warnings.push_back(fmt::format(
+        "the option unit says {}, and lengths in {} times {} are not in it: {} is taken",
+        options.unit, before, options.scale, options.unit));
   if (!input.unit.empty() && input.unit != options.unit)
     input.warnings.push_back(fmt::format(
         "the option unit says {}, and the input {}{}: {} is taken", options.unit, before,

@@ -124,6 +124,9 @@ TEST(ApplyUnits, AUnitThatIsNotTheInputsIsTold) {
   EXPECT_EQ(units("um", 1000, "um").second,
             std::vector<std::string>{
                 "the option unit says um, and the input um, which times 1000 is nm: um is taken"});
+  EXPECT_EQ(units("m", 0.001, "m").second,
+            std::vector<std::string>{"the option unit says m, and lengths in m times 0.001 are not "
+                                     "in it: m is taken"});
 }
 
 TEST(IsLengthUnit, KnowsFive) {
