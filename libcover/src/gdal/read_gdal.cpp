@@ -370,8 +370,7 @@ class MapReader {
   }
 
   std::string beyond_projection(Point given) const {
-    const bool is_on_globe = std::abs(given.x) <= 360 && std::abs(given.y) <= 90;
-    if (projection_.from_degrees && !is_on_globe)
+    if (projection_.from_degrees && !is_on_globe(given))
       return fmt::format(
           "feature {}: ({}, {}) is no longitude and latitude, which its coordinates should be: if "
           "they are those of {} already, leave the option crs out",
@@ -425,7 +424,7 @@ class MapReader {
               ? "a .cpg beside the .shp, or the environment variable SHAPE_ENCODING, says in which "
                 "code page they are, as ISO-8859-1"
               : "letters beyond ASCII may be others"));
-    if (degrees_) input_.warnings.emplace_back(kInDegrees);
+    if (degrees_) tell_degrees(input_);
   }
 
   const GdalLibrary& gdal_;

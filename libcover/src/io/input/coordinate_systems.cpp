@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/core.h>
 
@@ -177,6 +178,8 @@ std::string system_of_name(std::string_view name) {
 bool surely_differ(std::string_view one, std::string_view other) {
   return one != other && is_of_epsg(one) && is_of_epsg(other);
 }
+
+bool is_on_globe(Point p) { return std::abs(p.x) <= 360 && std::abs(p.y) <= 90; }
 
 bool could_be_degrees(const Box& box) {
   return !box.is_empty() && box.low.x >= -180 && box.high.x <= 180 && box.low.y >= -90 &&

@@ -29,6 +29,9 @@ std::string system_of_name(std::string_view name);
 /// tell nothing: one system has many.
 bool surely_differ(std::string_view one, std::string_view other);
 
+/// Whether a point may be a longitude, of some count of it, and a latitude.
+bool is_on_globe(Point p);
+
 /// Whether coordinates may be longitudes and latitudes. Of nothing, no.
 bool could_be_degrees(const Box& box);
 

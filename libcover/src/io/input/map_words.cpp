@@ -8,10 +8,12 @@
 
 #include <fmt/core.h>
 
+#include <cover/files.hpp>
 #include <cover/text.hpp>
 
 #include "base/faults/errors.hpp"
 #include "base/words/characters.hpp"
+#include "io/input/coordinate_systems.hpp"
 #include "io/text/array_names.hpp"
 #include "io/text/text.hpp"
 
@@ -54,6 +56,19 @@ void LeftOut::tell(std::string_view what, Input& input) const {
   if (sizes_of_points_ > 0)
     warnings.push_back(fmt::format("the {} 'size' of {} is left out: it is one of areas", what,
                                    counted(sizes_of_points_, "point")));
+}
+
+void tell_degrees(Input& input) {
+  const Box box = box_of_input(input);
+  if (box.is_empty() || (is_on_globe(box.low) && is_on_globe(box.high))) {
+    input.warnings.emplace_back(kInDegrees);
+    return;
+  }
+  input.warnings.push_back(fmt::format(
+      "coordinates should be longitudes and latitudes, as the file says, but they reach from {} to "
+      "{}: if they are those of a plane already, 'ogr2ogr -a_srs EPSG:... OUT{} {}' makes a file "
+      "that says of which system",
+      describe(box.low), describe(box.high), extension_of(input.source), input.source));
 }
 
 bool is_word_for_void(std::string_view material) { return lower(material) == "void"; }

@@ -25,6 +25,10 @@ inline constexpr const char* kMayBeDegrees =
     "this "
     "is a map: lengths and angles are those of a plane of degrees; --crs EPSG:... projects them";
 
+/// Warns that a map is not projected; or, where the file says so of coordinates that cannot be
+/// longitudes and latitudes, of that.
+void tell_degrees(Input& input);
+
 /// What of a map has no place in a drawing, counted to be told in the end.
 class LeftOut {
  public:

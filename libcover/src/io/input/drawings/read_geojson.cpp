@@ -227,7 +227,7 @@ class GeoReader {
     const Json* name = properties ? JsonReader::member(*properties, "name") : nullptr;
     if (name && name->is_string()) input_.system = system_of_name(name->get<std::string>());
     if (input_.polygons.empty() && input_.lines.empty()) return;  // no lengths and no angles
-    if (input_.system == kLongitudeLatitude) input_.warnings.emplace_back(kInDegrees);
+    if (input_.system == kLongitudeLatitude) tell_degrees(input_);
     const bool is_said =
         document_.is_object() && document_.contains("crs");  // if only that none is
     if (!is_said && options_.unit.empty() && options_.scale == 1 &&

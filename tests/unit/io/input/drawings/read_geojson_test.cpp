@@ -323,6 +323,24 @@ TEST(ReadGeojson, DegreesAreToldWhereTheFileSaysSo) {
   }
 }
 
+TEST(ReadGeojson, DegreesThatAreNoneAreTold) {
+  const auto warnings = [](const std::string& corner) {
+    return parse_geojson(R"({"type": "Polygon",
+                             "crs": {"type": "name", "properties": {"name": "EPSG:4326"}},
+                             "coordinates": [[[0, 0], [1, 0], )" +
+                             corner + ", [0, 0]]]}",
+                         "map.geojson")
+        ->warnings;
+  };
+  EXPECT_EQ(warnings("[3500000, 1]"),
+            std::vector<std::string>{
+                "coordinates should be longitudes and latitudes, as the file says, but they reach "
+                "from (0, 0) to (3500000, 1): if they are those of a plane already, 'ogr2ogr "
+                "-a_srs EPSG:... OUT.geojson map.geojson' makes a file that says of which system"});
+  EXPECT_EQ(warnings("[1, 91]")[0].find("coordinates should be"), 0U);
+  EXPECT_EQ(warnings("[360, 90]")[0].find("coordinates are longitudes and latitudes:"), 0U);
+}
+
 TEST(ReadGeojson, DegreesAreToldWhereNothingIsSaidThatSpeaksAgainstThem) {
   const auto warnings = [](const std::string& corner, const ReadOptions& options = {}) {
     return parse_geojson(
