@@ -107,6 +107,13 @@ class Layouts(Case):
         told = self.run_cover('info', 'a.geojson', 'b.geojson', code=2)[1]
         self.assertNotIn('EPSG:999999', told.partition('ogr2ogr')[2])
 
+    def test_maps_of_other_formats_are_told_of_ogr2ogr(self):
+        for name in 'a.tab', 'a.gpx', 'a.mif', 'a.geojsonl', 'a.csv', 'a.wkt':
+            told = self.run_cover('info', self.write(name, 'x'), code=5)[1]
+            self.assertIn("'ogr2ogr -f GeoJSON ", told)
+            self.assertIn(' can be read', told)
+        self.assertIn('--size-field', self.run_cover('info', 'a.csv', code=5)[1])
+
     def test_options_that_count_for_one_of_several_files_do_something(self):
         self.write('a.geojson', '{"type": "Feature", "crs": null, "properties": {}, "geometry": {"type": "Polygon", "coordinates": '
                                 '[[[0, 0], [1, 0], [0, 1], [0, 0]]]}}')

@@ -42,6 +42,21 @@ constexpr std::array kOtherFormats{
     OtherFormat{".kml", kOfMaps},
     OtherFormat{".topojson", kWantsGeoJson},
     OtherFormat{".geojsonl", kWantsGeoJson},
+    OtherFormat{".geojsons", kWantsGeoJson},
+    OtherFormat{".tab", kWantsGeoJson},
+    OtherFormat{".mif", kWantsGeoJson},
+    OtherFormat{".gpx", kWantsGeoJson},
+    OtherFormat{".kmz", kWantsGeoJson},
+    OtherFormat{".sqlite", kWantsGeoJson},
+    OtherFormat{".dgn", kWantsGeoJson},
+    OtherFormat{".osm", kWantsGeoJson},
+    OtherFormat{".csv",
+                "a table is no geometry (one of sizes goes by --size-field); 'ogr2ogr -f GeoJSON "
+                "-oo X_POSSIBLE_NAMES=x -oo Y_POSSIBLE_NAMES=y OUT.geojson FILE' makes a file of "
+                "points that can be read, and without -oo one of the geometries in a column WKT"},
+    OtherFormat{".wkt",
+                "'ogr2ogr -f GeoJSON OUT.geojson FILE.csv' makes a file that can be read of a .csv "
+                "whose first line is WKT and whose others are such texts in quotes"},
     OtherFormat{".geo",
                 ".geo is read by gmsh's library, in builds that have it: by the component "
                 "cover::gmsh, <cover/read_geo.hpp>; "
