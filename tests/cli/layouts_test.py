@@ -107,6 +107,15 @@ class Layouts(Case):
         told = self.run_cover('info', 'a.geojson', 'b.geojson', code=2)[1]
         self.assertNotIn('EPSG:999999', told.partition('ogr2ogr')[2])
 
+    def test_attributes_of_maps_are_listed(self):
+        for name, key, x in ('a', 'USE', 0), ('b', 'SOIL', 2):
+            self.write(name + '.geojson', '{"type": "Feature", "crs": null, "properties": {"%s": 1, "nr": 2}, "geometry": '
+                       '{"type": "Polygon", "coordinates": [[[%d, 0], [%d, 0], [%d, 1]]]}}' % (key, x, x + 1, x))
+        listed = 'Attributes of the map, for --name-field, --material-field and their like: '
+        self.assertIn(listed + 'USE, nr\n', self.run_cover('info', 'a.geojson')[0])
+        self.assertIn(listed + 'USE, nr, SOIL\n', self.run_cover('info', 'a.geojson', 'b.geojson')[0])
+        self.assertNotIn('Attributes', self.run_cover('info', self.write('a.poly', SQUARE))[0])
+
     def test_maps_of_other_formats_are_told_of_ogr2ogr(self):
         for name in 'a.tab', 'a.gpx', 'a.mif', 'a.geojsonl', 'a.csv', 'a.wkt':
             told = self.run_cover('info', self.write(name, 'x'), code=5)[1]

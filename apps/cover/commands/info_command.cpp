@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/text.hpp>
 
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
@@ -45,6 +46,9 @@ int run_info(Arguments arguments) {
   if (!costs) return fail(*log, costs.error());
   fmt::print("{}{}", info_text(*prepared, verbosity.verbose > 0),
              box_costs_text(*costs, verbosity.verbose > 0));
+  if (!input->fields.empty())
+    fmt::print("\nAttributes of the map, for --name-field, --material-field and their like: {}\n",
+               listed(input->fields));
   std::fflush(stdout);
   log_notes(*log, prepared->report.notes);
   for (const RegionReport& region : prepared->report.regions) log_notes(*log, region.notes);

@@ -125,8 +125,9 @@ struct Input {
   bool seeds_may_miss = false;
   /// What a drawing says of its unit where `unit` cannot be that, as "inches"; see units.hpp.
   std::string other_unit{};
-  bool is_picture = false;           ///< coordinates are those of pixels, in no system of a map
-  std::vector<std::string> files{};  ///< of which it was joined, each a `source`; empty: of none
+  bool is_picture = false;            ///< coordinates are those of pixels, in no system of a map
+  std::vector<std::string> fields{};  ///< attributes of a map, which options may name
+  std::vector<std::string> files{};   ///< of which it was joined, each a `source`; empty: of none
 };
 
 }  // namespace cover

@@ -196,6 +196,7 @@ class MapReader {
     }
     projection_ = std::move(*projection);
     degrees_ |= projection_.degrees;
+    note_fields(layer);
     if (!projection_.unit.empty()) input_.unit = projection_.unit;
     note_system(layer);
     if (error_) return;
@@ -207,6 +208,12 @@ class MapReader {
       if (!feature) break;
       read_feature(feature.get());
     }
+  }
+
+  void note_fields(OGRLayerH layer) {
+    OGRFeatureDefnH definition = gdal_.OGR_L_GetLayerDefn(layer);
+    for (int k = 0; k < gdal_.OGR_FD_GetFieldCount(definition); ++k)
+      note_field(input_, gdal_.OGR_Fld_GetNameRef(gdal_.OGR_FD_GetFieldDefn(definition, k)));
   }
 
   /// Layers of one file may be in different systems.

@@ -417,6 +417,7 @@ TEST_F(ReadGdal, WhatIsLeftOutIsCounted) {
   EXPECT_EQ(input.warnings,
             (std::vector<std::string>{"2 geometries are null or empty: left out",
                                       "2 points are not in the plane: z is dropped"}));
+  EXPECT_EQ(input.fields, std::vector<std::string>{"USE"});
 }
 
 TEST_F(ReadGdal, TheUnitOfAMapOfAnotherReaderIsThatOfItsSystem) {

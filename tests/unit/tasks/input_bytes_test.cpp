@@ -43,6 +43,7 @@ Input everything() {
   in.seeds_may_miss = true;
   in.other_unit = "inches";
   in.is_picture = true;
+  in.fields = {"use"};
   in.files = {"a", "file"};
   return in;
 }

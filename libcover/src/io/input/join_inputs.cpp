@@ -242,6 +242,7 @@ Status join(Input& all, Input more, std::size_t file) {
   if (more.field) all.field = more.field;
   all.seeds_may_miss |= more.seeds_may_miss;
   all.is_picture &= more.is_picture;
+  for (const std::string& field : more.fields) note_field(all, field);
   const std::size_t before = all.points.size(), count = more.points.size();
   const auto circles = static_cast<std::uint32_t>(all.circles.size());
   append_by_point(all.point_ids, std::move(more.point_ids), before, count,

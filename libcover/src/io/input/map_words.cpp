@@ -71,6 +71,11 @@ void tell_degrees(Input& input) {
       describe(box.low), describe(box.high), extension_of(input.source), input.source));
 }
 
+void note_field(Input& input, const std::string& name) {
+  std::vector<std::string>& fields = input.fields;
+  if (std::find(fields.begin(), fields.end(), name) == fields.end()) fields.push_back(name);
+}
+
 bool is_word_for_void(std::string_view material) { return lower(material) == "void"; }
 
 void AskedNames::note(const std::string& option, const std::string& name, bool is_there,

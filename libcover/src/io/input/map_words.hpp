@@ -29,6 +29,9 @@ inline constexpr const char* kMayBeDegrees =
 /// longitudes and latitudes, of that.
 void tell_degrees(Input& input);
 
+/// Adds the name of an attribute to Input::fields, unless it is there.
+void note_field(Input& input, const std::string& name);
+
 /// What of a map has no place in a drawing, counted to be told in the end.
 class LeftOut {
  public:

@@ -75,12 +75,12 @@ template <Either<Input> T>
 auto members(T& input) {
   auto& [source, unit, scale, warnings, points, point_ids, point_lines, point_markers, segments,
          holes, seeds, void_rule, polygons, lines, field, attributes, circles, periodic, layers,
-         changes, system, asked, point_names, seeds_may_miss, other_unit, is_picture, files] =
-      input;
+         changes, system, asked, point_names, seeds_may_miss, other_unit, is_picture, fields,
+         files] = input;
   return std::tie(source, unit, scale, warnings, points, point_ids, point_lines, point_markers,
                   segments, holes, seeds, void_rule, polygons, lines, field, attributes, circles,
                   periodic, layers, changes, system, asked, point_names, seeds_may_miss, other_unit,
-                  is_picture, files);
+                  is_picture, fields, files);
 }
 
 template <Either<ReadOptions> T>

@@ -90,6 +90,7 @@ class GeoReader {
                       "go round an odd number of times, so there is no hole there but an area",
                       counted(outside_, "inner ring") + (outside_ == 1 ? " lies" : " lie"),
                       outside_ == 1 ? "its polygon" : "their polygons", describe(first_outside_)));
+    input_.fields.assign(known_.begin(), known_.end());
     note_system();
     warn_of_capitals();
     if (auto missing = missing_property()) return *std::move(missing);

@@ -142,6 +142,18 @@ TEST(ReadGeojson, HeightsAreDroppedAndTold) {
   EXPECT_TRUE(told("[[0, 0, 0], [1, 0, 0]]").empty());
 }
 
+TEST(ReadGeojson, PropertiesAreKnownByName) {
+  const Result<Input> input = parse_geojson(
+      R"({"type": "FeatureCollection", "crs": null, "features": [
+        {"type": "Feature", "properties": {"USE": "wood", "AREA": 3}, "geometry":
+          {"type": "Point", "coordinates": [1, 1]}},
+        {"type": "Feature", "properties": {"USE": "field"}, "geometry":
+          {"type": "Point", "coordinates": [2, 1]}}]})",
+      "map.geojson");
+  ASSERT_TRUE(input.has_value()) << input.error().message;
+  EXPECT_EQ(input->fields, (std::vector<std::string>{"AREA", "USE"}));
+}
+
 TEST(ReadGeojson, SizesAreLengthsAboveZero) {
   const auto feature = [](const std::string& size) {
     return R"({"type": "Feature", "properties": {"size": )" + size + R"(}, "geometry":
