@@ -311,6 +311,21 @@ class Polygons(unittest.TestCase):
         mesh = cover.mesh_polygons([('a', [square]), ('b', [square / 4 + 1])], holes=np.array([[1.5, 1.5]]))
         self.assertEqual([r['material_name'] if 'material_name' in r else r['name'] for r in mesh.report['regions']], ['a'])
 
+    def test_points(self):
+        square = [(0, 0), (4, 0), (4, 4), (0, 4)]
+        wells = np.array([[1.25, 1.5], [3, 2]])
+        for points in wells, wells.tolist():
+            mesh = cover.mesh_polygons([('a', [square])], points=points)
+            places = {tuple(p) for p in mesh.points.tolist()}
+            self.assertLessEqual({(1.25, 1.5), (3.0, 2.0)}, places)
+            self.assertEqual(mesh.violations(), [])
+        for none in None, (), np.zeros((0, 2)):
+            self.assertEqual(len(cover.mesh_polygons([('a', [square])], points=none).points), 4)
+        with self.assertRaisesRegex(cover.Error, 'expected a point'):
+            cover.mesh_polygons([('a', [square])], points=[(1, 2, 3)])
+        with self.assertRaisesRegex(TypeError, 'points: 1 is no point'):
+            cover.mesh_polygons([('a', [square])], points=[1, 2])
+
     def test_mistakes(self):
         with self.assertRaises(cover.Error) as caught:
             cover.mesh_polygons([('a', [[{'circle': {'centre': (0, 0), 'radius': -1, 'chords': 8}}]])])

@@ -172,8 +172,8 @@ def _check_polygon(k, polygon):
             raise TypeError(f"polygon {k}: a ring must be a list of points; rings are a list of such lists")
 
 
-def mesh_polygons(polygons, *, lines=None, holes=(), chord_error=None, unit=None, progress=None, only=None, onto=None,
-                  **options):
+def mesh_polygons(polygons, *, lines=None, holes=(), points=(), chord_error=None, unit=None, progress=None, only=None,
+                  onto=None, **options):
     """Meshes painted polygons, each (material, rings), (material, rings, name), or a dictionary with the keys
     material, rings, region, priority, size, as in JSON.
 
@@ -182,15 +182,16 @@ def mesh_polygons(polygons, *, lines=None, holes=(), chord_error=None, unit=None
     each with "chords" or "chord_error", unless chord_error says it for all. Where polygons overlap the higher
     priority wins, then the later one, or as the option overlap says.
     lines: contacts, paths by name; a name may have a list of paths. holes: (k, 2) floats, a point in each void.
+    points: (k, 2) floats, places beside all polygons' corners where the mesh has a vertex, as wells.
     only, onto: as mesh() has them.
     """
     options = _again(options, only, onto)
     if isinstance(polygons, (str, _Mapping)) or not hasattr(polygons, "__iter__"):
         raise TypeError("polygons must be a list of (material, rings), (material, rings, name) or dictionaries")
-    polygons, holes = list(polygons), _or_none(holes)
+    polygons, holes, points = list(polygons), _or_none(holes), _or_none(points)
     for k, polygon in enumerate(polygons):
         _check_polygon(k, polygon)
-    simple = not lines and not len(holes) and unit is None and all(
+    simple = not lines and not len(holes) and not len(points) and unit is None and all(
         not isinstance(p, _Mapping) and not any(_is_curved(ring) for ring in p[1]) for p in polygons)
     if simple:
         return _mesh_polygons(polygons, options, progress)
@@ -207,6 +208,8 @@ def mesh_polygons(polygons, *, lines=None, holes=(), chord_error=None, unit=None
         one = isinstance(first, _Mapping) or (len(first) == 2 and not any(isinstance(x, dict) or hasattr(x, "__len__") for x in first))
         for path in [paths] if one else paths:
             document["lines"].append({"name": str(name), "points": _plain(path, f"the line '{name}'")})
+    if len(points):
+        document["points"] = _plain(points, "points")
     if chord_error is not None:
         document["chord_error"] = float(chord_error)
     if unit is not None:

@@ -170,6 +170,7 @@ def mesh_polygons(
     *,
     lines: Optional[Mapping[str, Union[_Path, Sequence[_Path]]]] = None,
     holes: Optional[npt.ArrayLike] = (),
+    points: Optional[npt.ArrayLike] = (),
     chord_error: Optional[float] = None,
     unit: Optional[Literal["nm", "um", "mm", "cm", "m"]] = None,
     progress: Optional[_Progress] = None,
