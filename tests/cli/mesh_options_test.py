@@ -636,6 +636,7 @@ class Remesh(Case):
         _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '--only', '2', '--onto', 'm.vtu', '-o', 'n.vtu', code=3)
         self.assertIn('m.vtu: the mesh is not one of', err)
         self.assertRegex(err, r'point 1 at \(.*\) is no vertex of the mesh')
+        self.assertIn('since it was made, sizes, angles, methods, names and materials may have changed, but no point', err)
         _, err = self.again('--only', 'gate', '--onto', 'm.vtu', '-o', 'n.vtu', code=2)
         self.assertIn("only 'gate': there is no region or material of that name", err)
         _, err = self.again('--only', '2', '--onto', 'none.vtu', '-o', 'n.vtu', code=5)

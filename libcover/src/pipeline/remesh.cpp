@@ -143,6 +143,9 @@ class OldMesh {
       missing.resize(std::min(missing.size(), kNamed));
       message += fmt::format("; no triangles in {}{} were found", listed(missing), more);
     }
+    message +=
+        "; since it was made, sizes, angles, methods, names and materials may have changed, but no "
+        "point and no segment, in the regions to be meshed again neither, nor how they are cleaned";
     return {ErrorCode::other_mesh, std::move(message), first.where, {}};
   }
 
