@@ -476,6 +476,10 @@ class Files(Case):
         self.run_cover('convert', 'tft.vtm', '-o', 'other.msh', '-q')
         self.assertIn('"gate_contact"', (self.dir / 'other.msh').read_text())
 
+    def test_pieces_need_a_folder(self):
+        self.refuse("the pieces of -o 'd.poly.vtm' go into a folder 'd.poly', and the input is a file of that name",
+                    'mesh', 'd.poly', '-o', 'd.poly.vtm')
+
     def test_a_conversion_does_not_replace_its_mesh(self):
         # It may lose what the mesh has, as nodes of second order.
         os.symlink('d.vtu', self.dir / 'link.vtu')

@@ -43,6 +43,11 @@ std::vector<fs::path> with_companions(const fs::path& path, bool is_written) {
   return all;
 }
 
+/// Whether the pieces of a .vtm need a folder that has the name of the file `in`.
+bool needs_folder_of_name(const fs::path& out, const fs::path& in) {
+  return extension_of(out) == ".vtm" && same(fs::path(out).replace_extension(), in);
+}
+
 /// Whether writing `out` would change the file `in`.
 bool replaces(const fs::path& out, const fs::path& in, bool in_is_written) {
   for (const fs::path& a : with_companions(out, true)) {
@@ -91,6 +96,11 @@ const char* hint_at_manifest(const NamedFile& out) {
 Status check_against(const NamedFile& out, const std::vector<NamedFile>& read) {
   for (const NamedFile& in : read) {
     if (in.path.empty() || in.path == "-" || (in.is_mesh && out.is_mesh)) continue;
+    if (needs_folder_of_name(out.path, in.path))
+      return bad(
+          fmt::format("the pieces of {} go into a folder '{}', and the input is a file of "
+                      "that name: give the mesh another one",
+                      quoted(out), fs::path(out.path).replace_extension().string()));
     if (!replaces(out.path, in.path, false)) continue;
     return bad(fmt::format("writing {} would replace the input{}{}", quoted(out),
                            !in.option.empty()    ? fmt::format(", the file of {}", in.option)
