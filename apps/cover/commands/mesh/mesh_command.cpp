@@ -56,7 +56,8 @@ constexpr const char* kExamples = R"(Examples:
   generate | cover mesh - -o - --format vtu > device.vtu
 
 Exit codes: 0 done, 1 defect of cover, 2 usage, 3 bad geometry, 4 bound missed (nothing
-written), 5 files, 6 --require not met, 7 out of memory, 130 interrupted.
+written), 5 files, 6 --require not met (the mesh is written), 7 out of memory,
+130 interrupted.
 )";
 
 /// Everything that the command line of `cover mesh` says.
