@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -63,23 +64,12 @@ Result<LengthsOfFile> read_lengths(const std::string& path) {
       std::move((*sizes)->name)};
 }
 
-/// What options say of the sizes in a file; a warning tells where nothing says that they are any.
-Result<SizeSamples> read_samples(const Options& options, std::vector<std::string>& warnings) {
-  const std::string& path = options.size_field_name;
-  if (!options.size_of.empty()) return read_size_field(path, options.size_of, options.size_step);
-  Result<LengthsOfFile> lengths = read_lengths(path);
-  if (!lengths) return std::move(lengths).error();
-  if (lengths->array != "size" && lengths->array != "h")
-    warnings.push_back(fmt::format(
-        "{}: the only array, '{}', is taken for edge lengths; values that are no lengths need "
-        "--size-of",
-        path, lengths->array));
-  return std::move(lengths->samples);
-}
-
-/// The values by point of what sizes shall follow.
+/// The values by point of what sizes shall follow. A warning tells of points without a number, but
+/// for those where the file has none.
+///
+/// Errors: bad_option where no point has one
 Result<std::vector<double>> values_of(const PlaneField& field, const std::string& of,
-                                      const std::string& path) {
+                                      const std::string& path, std::vector<std::string>& warnings) {
   std::vector<std::string> names = array_names(field);
   std::string text = of;
   if (is_function_name(of)) {
@@ -96,12 +86,31 @@ Result<std::vector<double>> values_of(const PlaneField& field, const std::string
         fmt::format("size-of, of the values in {}: {}", path, formula.error().message));
   std::vector<double> out, row(names.size());
   out.reserve(field.points.size());
+  std::size_t numbers = 0, missed = 0;
+  std::optional<std::size_t> first_missed;
   for (std::size_t p = 0; p < field.points.size(); ++p) {
     for (std::size_t k = 0; k < field.arrays.size(); ++k) row[k] = field.arrays[k].values[p];
     row[names.size() - 2] = field.points[p].x;
     row[names.size() - 1] = field.points[p].y;
     out.push_back((*formula)(row));
+    if (std::isfinite(out.back())) {
+      ++numbers;
+      continue;
+    }
+    bool is_gap = false;
+    for (std::size_t k = 0; k < row.size(); ++k)
+      is_gap = is_gap || (formula->uses(k) && !std::isfinite(row[k]));
+    if (is_gap) continue;
+    ++missed;
+    if (!first_missed) first_missed = p;
   }
+  if (numbers == 0 && !out.empty())
+    return bad_option(fmt::format("size-of '{}' is a number at no point of {}", of, path));
+  if (first_missed)
+    warnings.push_back(fmt::format(
+        "size-of '{}' is no number at {} of {} points of {}, first at {}: triangles there ask for "
+        "no size",
+        of, missed, out.size(), path, describe(field.points[*first_missed])));
   return out;
 }
 
@@ -114,6 +123,47 @@ double slope_in(const std::array<Point, 3>& corners, const std::array<double, 3>
   const Vector gradient{(of_u * v.y - of_v * u.y) / area, (of_v * u.x - of_u * v.x) / area};
   const double slope = length(gradient);
   return area != 0 && std::isfinite(slope) ? slope : 0;
+}
+
+/// Sizes along which what the file's values say changes by no more than a step.
+Result<SizeSamples> sizes_by_change(const std::string& path, const std::string& of, double step,
+                                    std::vector<std::string>& warnings) {
+  Result<PlaneField> field = read_plane_field(path);
+  if (!field) return std::move(field).error();
+  const Result<std::vector<double>> values = values_of(*field, of, path, warnings);
+  if (!values) return values.error();
+  if (field->triangles.empty())
+    return wrong_file(path, "no triangles between the points, along which values could change");
+  for (const Point& p : field->points) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y))
+      return wrong_file(path, "the coordinates of a point are not finite");
+  }
+  std::vector<double> slopes(field->points.size(), 0);
+  for (const auto& [a, b, c] : field->triangles) {
+    const double slope = slope_in({field->points[a], field->points[b], field->points[c]},
+                                  {(*values)[a], (*values)[b], (*values)[c]});
+    for (const std::uint32_t v : {a, b, c}) slopes[v] = std::max(slopes[v], slope);
+  }
+  const double longest_edge = cover::box_of(field->points).diagonal();
+  std::vector<double> sizes;
+  for (const double slope : slopes)
+    sizes.push_back(std::min(step / slope / kLongestEdge, longest_edge));
+  return SizeSamples{std::move(field->points), std::move(field->triangles), std::move(sizes)};
+}
+
+/// What options say of the sizes in a file; a warning tells where nothing says that they are any.
+Result<SizeSamples> read_samples(const Options& options, std::vector<std::string>& warnings) {
+  const std::string& path = options.size_field_name;
+  if (!options.size_of.empty())
+    return sizes_by_change(path, options.size_of, options.size_step, warnings);
+  Result<LengthsOfFile> lengths = read_lengths(path);
+  if (!lengths) return std::move(lengths).error();
+  if (lengths->array != "size" && lengths->array != "h")
+    warnings.push_back(fmt::format(
+        "{}: the only array, '{}', is taken for edge lengths; values that are no lengths need "
+        "--size-of",
+        path, lengths->array));
+  return std::move(lengths->samples);
 }
 
 Box box_of(const Input& input) {
@@ -168,27 +218,8 @@ Result<SizeSamples> read_size_field(const std::string& path) {
 }
 
 Result<SizeSamples> read_size_field(const std::string& path, const std::string& of, double step) {
-  Result<PlaneField> field = read_plane_field(path);
-  if (!field) return std::move(field).error();
-  const Result<std::vector<double>> values = values_of(*field, of, path);
-  if (!values) return values.error();
-  if (field->triangles.empty())
-    return wrong_file(path, "no triangles between the points, along which values could change");
-  for (const Point& p : field->points) {
-    if (!std::isfinite(p.x) || !std::isfinite(p.y))
-      return wrong_file(path, "the coordinates of a point are not finite");
-  }
-  std::vector<double> slopes(field->points.size(), 0);
-  for (const auto& [a, b, c] : field->triangles) {
-    const double slope = slope_in({field->points[a], field->points[b], field->points[c]},
-                                  {(*values)[a], (*values)[b], (*values)[c]});
-    for (const std::uint32_t v : {a, b, c}) slopes[v] = std::max(slopes[v], slope);
-  }
-  const double longest_edge = cover::box_of(field->points).diagonal();
-  std::vector<double> sizes;
-  for (const double slope : slopes)
-    sizes.push_back(std::min(step / slope / kLongestEdge, longest_edge));
-  return SizeSamples{std::move(field->points), std::move(field->triangles), std::move(sizes)};
+  std::vector<std::string> unheard;
+  return sizes_by_change(path, of, step, unheard);
 }
 
 Status load_size_field(Options& options) {

@@ -154,11 +154,16 @@ TEST(ReadSizeField, WhatChangesIsResolved) {
   const auto twice = read_size_field(path, "2*u + x", 0.5);
   ASSERT_TRUE(twice) << twice.error().message;
   EXPECT_DOUBLE_EQ(twice->sizes[0], 0.5 / std::hypot(15.0, 2.0) / 1.5);
-  // Constant, and no number: nothing finer than the whole.
-  for (const char* of : {"3", "sqrt(-1 - abs(u))"}) {
-    const auto constant = read_size_field(path, of, 0.5);
-    ASSERT_TRUE(constant) << constant.error().message;
-    for (const double size : constant->sizes) EXPECT_DOUBLE_EQ(size, std::hypot(2.0, 1.0));
+  // Constant: nothing finer than the whole.
+  const auto constant = read_size_field(path, "3", 0.5);
+  ASSERT_TRUE(constant) << constant.error().message;
+  for (const double size : constant->sizes) EXPECT_DOUBLE_EQ(size, std::hypot(2.0, 1.0));
+  for (const char* of : {"sqrt(-1 - abs(u))", "u/0"}) {
+    const auto nothing = read_size_field(path, of, 0.5);
+    ASSERT_FALSE(nothing) << of;
+    EXPECT_EQ(nothing.error().code, ErrorCode::bad_option);
+    EXPECT_EQ(nothing.error().message,
+              fmt::format("size-of '{}' is a number at no point of {}", of, path));
   }
   const auto alone = read_size_field(path, "asinh", 0.5);
   ASSERT_TRUE(alone) << alone.error().message;
@@ -191,6 +196,28 @@ TEST(LoadSizeField, TellsWhatIsTakenForLengths) {
     EXPECT_NE(input.warnings[0].find("n.vtk: the only array, 'n', is taken for edge lengths"),
               std::string::npos);
   }
+}
+
+/// Where the file itself has no number, there is nothing to tell.
+TEST(LoadSizeField, TellsWhereThereIsNoNumber) {
+  const TemporaryFolder folder;
+  const auto warnings = [&](const char* values, const char* of) {
+    Options options;
+    options.size_field_name = folder.write("n.vtk", legacy(scalars("n", values)));
+    options.size_of = of;
+    Input input;
+    const Status status = load_size_field(options, input);
+    EXPECT_TRUE(status) << status.error().message;
+    return input.warnings;
+  };
+  const auto told = warnings("1 2 -3 4 0", "log(n)");
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0],
+            fmt::format("size-of 'log(n)' is no number at 2 of 5 points of {}, first at (1, 1): "
+                        "triangles there ask for no size",
+                        (folder.path() / "n.vtk").string()));
+  EXPECT_TRUE(warnings("1 2 3 4 nan", "log(n)").empty());
+  EXPECT_TRUE(warnings("1 2 -3 4 0", "asinh(n)").empty());
 }
 
 /// Such a growth once kept sizes from ever being spread.
