@@ -238,9 +238,9 @@ class Mesh(Case):
     def test_dry_run_finds_wrong_names(self):
         diode = SAMPLES / 'diode.poly'
         _, err = self.run_cover('mesh', diode, '--dry-run', '--size-at', 'gold=1', code=2)
-        self.assertIn("no interface, contact, point or boundary marker of that name", err)
+        self.assertRegex(err, "no interface, contact, point or boundary marker of that name; there are '.*', '")
         _, err = self.run_cover('mesh', diode, '--dry-run', '--size', 'gold=1', code=2)
-        self.assertIn("size for 'gold'", err)
+        self.assertRegex(err, "size for 'gold': there is no region or material of that name; there are '.*', '")
         _, err = self.run_cover('mesh', diode, '--dry-run', '--only', '2', '--onto', 'none.vtu', code=5)
         self.assertIn('none.vtu', err)
 

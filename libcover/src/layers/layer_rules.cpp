@@ -12,6 +12,7 @@
 #include <cover/text.hpp>
 
 #include "base/containers/order.hpp"
+#include "base/words/meant_or_there.hpp"
 #include "geom/box.hpp"
 #include "geom/ulp.hpp"
 #include "region/lines_between.hpp"
@@ -46,7 +47,7 @@ Error no_such_line(const LayerRule& rule, const Pslg& pslg, const RegionTable& t
   const std::string between = lines_between(table, rule.line);
   return bad_layers(
       rule, "there is no interface, contact, outline, inner line or boundary marker of that name" +
-                (between.empty() ? did_you_mean(rule.line, names) : between));
+                (between.empty() ? meant_or_there(rule.line, names) : between));
 }
 
 /// Layers that coordinates cannot hold.

@@ -10,6 +10,7 @@
 #include <cover/pslg.hpp>
 #include <cover/text.hpp>
 
+#include "base/words/meant_or_there.hpp"
 #include "base/words/parse_number.hpp"
 #include "region/lines_between.hpp"
 
@@ -134,7 +135,7 @@ Error no_such_region(const RegionTable& table, const std::string& what, const st
   }
   return {ErrorCode::bad_option,
           fmt::format("{} '{}': there is no region or material of that name{}", what, name,
-                      did_you_mean(name, names)),
+                      meant_or_there(name, names)),
           {},
           {}};
 }

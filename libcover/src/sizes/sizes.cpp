@@ -18,6 +18,7 @@
 
 #include "base/expression.hpp"
 #include "base/numbers.hpp"
+#include "base/words/meant_or_there.hpp"
 #include "base/words/quoted_names.hpp"
 #include "geom/box.hpp"
 #include "geom/ulp.hpp"
@@ -135,15 +136,15 @@ Error unknown_name(const SizeRule& rule, const Pslg& pslg, const RegionTable& ta
   std::string in_void = line_in_void(pslg, rule.name);
   if (in_void.empty()) in_void = points_in_void(pslg, table, rule.name);
   const std::string between = lines_between(table, rule.name);
-  return {
-      ErrorCode::bad_option,
-      fmt::format("size for '{}': {}", rule.name,
-                  in_void.empty() ? "there is no interface, contact, point or boundary marker of "
-                                    "that name" +
-                                        (between.empty() ? did_you_mean(rule.name, names) : between)
-                                  : in_void),
-      {},
-      {}};
+  return {ErrorCode::bad_option,
+          fmt::format("size for '{}': {}", rule.name,
+                      in_void.empty()
+                          ? "there is no interface, contact, point or boundary marker of "
+                            "that name" +
+                                (between.empty() ? meant_or_there(rule.name, names) : between)
+                          : in_void),
+          {},
+          {}};
 }
 
 /// The expressions, each once, that are a size at no vertex of the regions they are for.

@@ -62,6 +62,8 @@ TEST(LayerRules, WithUnknownNamesAreRefused) {
   EXPECT_EQ(refusal({{"gat", "", 0.1, 1, 1}}),
             "layers for 'gat': there is no interface, contact, outline, inner line or boundary "
             "marker of that name; did you mean 'gate'?");
+  EXPECT_NE(refusal({{"nothing alike", "", 0.1, 1, 1}}).find("marker of that name; there are '"),
+            std::string::npos);
   EXPECT_EQ(refusal({{"Si_SiO2", "", 0.1, 1, 1}}),
             "layers for 'Si_SiO2': there is no interface, contact, outline, inner line or boundary "
             "marker of that name; between 'Si' and 'SiO2' lies 'left_right'");

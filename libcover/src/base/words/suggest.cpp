@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <numeric>
+#include <unordered_set>
 #include <vector>
 
 #include <fmt/core.h>
+
+#include "base/words/and_more.hpp"
+#include "base/words/meant_or_there.hpp"
 
 namespace cover {
 namespace {
@@ -107,6 +111,20 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> can
         "the other as marks after a letter (NFC and NFD of Unicode)",
         *meant);
   return fmt::format("; did you mean '{}'?", *meant);
+}
+
+std::string meant_or_there(std::string_view word, std::span<const std::string> candidates) {
+  if (std::string meant = did_you_mean(word, candidates); !meant.empty()) return meant;
+  constexpr std::size_t kMost = 8;
+  std::unordered_set<std::string_view> seen;
+  std::vector<std::string> first;
+  for (const std::string& candidate : candidates) {
+    const bool is_new = !candidate.empty() && seen.insert(candidate).second;
+    if (is_new && first.size() < kMost) first.push_back(fmt::format("'{}'", candidate));
+  }
+  if (first.empty()) return "";
+  return fmt::format("; there {} {}{}", seen.size() == 1 ? "is" : "are", listed(first),
+                     and_more(seen.size(), kMost));
 }
 
 std::string not_one_of(std::string_view word, std::span<const std::string> candidates) {

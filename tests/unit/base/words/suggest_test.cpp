@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "base/words/meant_or_there.hpp"
+
 namespace cover {
 namespace {
 
@@ -47,6 +49,18 @@ TEST(Closest, TellsNamesThatDifferInHowAccentsAreWritten) {
 
 TEST(Closest, LeavesVeryLongWordsAlone) {
   EXPECT_EQ(closest(std::string(100000, 'x'), kKeys), std::nullopt);
+}
+
+TEST(MeantOrThere, NamesTheFewWhereNoneIsClose) {
+  EXPECT_EQ(meant_or_there("regoin", kKeys), "; did you mean 'region'?");
+  EXPECT_EQ(meant_or_there("colour", kKeys),
+            "; there are 'material', 'region', 'rings', 'priority', 'x'");
+  EXPECT_EQ(meant_or_there("colour", std::vector<std::string>{"", "Si", "Si"}), "; there is 'Si'");
+  EXPECT_EQ(meant_or_there("colour", std::vector<std::string>{""}), "");
+  std::vector<std::string> many;
+  for (int k = 0; k < 10; ++k) many.push_back(std::string(1, static_cast<char>('a' + k)));
+  EXPECT_EQ(meant_or_there("colour", many),
+            "; there are 'a', 'b', 'c', 'd', 'e', 'f', 'g', 'h' and 2 more");
 }
 
 }  // namespace
