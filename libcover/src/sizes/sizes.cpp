@@ -233,7 +233,13 @@ Status resolve_sizes(const Pslg& pslg, const RegionTable& table, const Options& 
     };
     if (find(rule)) continue;
     const std::optional<SizeRule> without = without_quotes(rule);
-    if (!without || !find(*without)) return unknown_name(rule, pslg, table);
+    if (without && find(*without)) continue;
+    Error error = unknown_name(rule, pslg, table);
+    if (options.merge_materials)
+      error.message +=
+          "; with --merge-materials touching regions of one material, and their lines, have the "
+          "name of the first of them";
+    return error;
   }
   const double grid = kGrid * box_of(pslg.points).diagonal();
   for (RegionBoundary& boundary : boundaries) {

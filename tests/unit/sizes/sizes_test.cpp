@@ -346,6 +346,12 @@ TEST(Sizes, AtPointsOfAName) {
   const Status refused = resolve_sizes(regions.pslg, regions.table, options, boundaries);
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().message.find("did you mean 'well'?"), std::string::npos);
+  EXPECT_EQ(refused.error().message.find("--merge-materials"), std::string::npos);
+  options.merge_materials = true;
+  const Status merged = resolve_sizes(regions.pslg, regions.table, options, boundaries);
+  ASSERT_FALSE(merged);
+  EXPECT_NE(merged.error().message.find("; with --merge-materials touching regions"),
+            std::string::npos);
 }
 
 TEST(Sizes, AtPointsInTheVoidAreRefused) {
