@@ -320,6 +320,18 @@ class BadInput(Case):
         # Corners on sides are what painting is for.
         self.run_cover('mesh', SAMPLES / 'tft.json', '-o', 'd.vtu', '--strict')
 
+    def test_strict_refuses_commands_that_are_not_understood(self):
+        body = '(sdegeo:create-rectangle (position 0 0 0) (position 2 1 0) "Si" "R")\n'
+        self.write('d.cmd', body + '(sdedr:define-constant-profile "p" "Boron" 1e17)\n')
+        self.run_cover('mesh', 'd.cmd', '-o', 'd.vtu', '--strict', '-q')
+        for command in ('(do ((i 0 (+ i 1))) ((= i 3)) (gate i))', '#include "gates.cmd"',
+                        '(sdegeo:mirror-selected (get-body-list) (transform) #t)'):
+            self.write('d.cmd', body + command + '\n')
+            _, err = self.run_cover('mesh', 'd.cmd', '-o', 'd.vtu', '--strict', '-q', code=3)
+            self.assertIn('not understood and left out: ', err)
+            _, err = self.run_cover('mesh', 'd.cmd', '-o', 'd.vtu')
+            self.assertIn('input changed: 1 dropped: not understood and left out: ', err)
+
     def test_truncated(self):
         self.refuse(SQUARE[:30], 5, 'bad.poly')
 

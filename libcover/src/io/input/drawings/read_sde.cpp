@@ -2,7 +2,8 @@
 // with the boolean ABA, which is the default, the new one wins where they overlap, with BAB the old
 // ones. A contact is put on an edge by a place on it. The editor's edges end at every corner and
 // crossing of bodies, so the side that the place lies on is cut there. Commands of doping and
-// meshing, and what is not understood, are named in the warnings. y points as the deck has it.
+// meshing are named in a warning; what is not understood may make geometry, so that it is a change.
+// y points as the deck has it.
 // Tested by tests/unit/io/input/drawings/read_sde_test.cpp.
 #include <algorithm>
 #include <array>
@@ -127,6 +128,9 @@ class SdeReader {
   Result<Input> read(const SchemeText& text) {
     SchemeEvaluator evaluator(
         source_, [this](const SchemeForm& form, SchemeEvaluator& e) { return command(form, e); });
+    for (const int line : text.conditions)
+      leave_out("all between a condition of the preprocessor and its #endif", line);
+    for (const int line : text.directives) leave_out("a line of the preprocessor", line);
     for (const SchemeForm& form : text.forms) {
       evaluator.evaluate(form);
       if (evaluator.error()) return *evaluator.error();
@@ -143,7 +147,7 @@ class SdeReader {
           {},
           {}};
     place_contacts();
-    tell(text);
+    tell();
     input_.source = source_;
     input_.unit = "um";
     input_.polygons = std::move(drawing_.bodies);
@@ -191,6 +195,7 @@ class SdeReader {
       contacts_.clear();
       return nothing;
     }
+    if (name.starts_with("sde:load") || name.starts_with("sdeio:read")) return std::nullopt;
     if (name.starts_with("sdedr:") || name.starts_with("sde:") || name.starts_with("sdeio:") ||
         name.starts_with("sdesnmesh:") || is("display") || is("newline") ||
         is("entity:set-color")) {
@@ -342,9 +347,9 @@ class SdeReader {
     for (const Contact& contact : contacts_) {
       const Side side = drawing_.side_at(contact.at);
       if (!std::isfinite(side.distance)) {
-        input_.warnings.push_back(fmt::format("{}:{}: contact '{}': no edge at {}: left out",
-                                              source_, contact.line, contact.name,
-                                              describe(contact.at)));
+        drop(fmt::format("{}:{}: contact '{}': no edge at {}: left out", source_, contact.line,
+                         contact.name, describe(contact.at)),
+             {contact.at});
         continue;
       }
       const auto [a, b] = drawing_.edge_around(side);
@@ -352,12 +357,12 @@ class SdeReader {
     }
   }
 
-  void tell(const SchemeText& text) {
-    for (const int line : text.conditions)
-      count(left_out_, "all between a condition of the preprocessor and its #endif", line);
-    for (const int line : text.directives) count(left_out_, "a line of the preprocessor", line);
-    if (!left_out_.empty())
-      input_.warnings.push_back("not understood and left out: " + list_of(left_out_));
+  void drop(std::string message, std::vector<Point> where) {
+    input_.changes.push_back({Change::Kind::dropped, std::move(message), std::move(where), {}});
+  }
+
+  void tell() {
+    if (!left_out_.empty()) drop("not understood and left out: " + list_of(left_out_), {});
     if (!no_geometry_.empty())
       input_.warnings.push_back("commands of doping and meshing are left out: " +
                                 list_of(no_geometry_));

@@ -88,8 +88,10 @@ TEST(ReadSde, ContactsEndAtCornersAndCrossings) {
   EXPECT_EQ(points("bulk"), (Points{{0, 0}, {3.5, 0}}));  // to the crossing with the via
   EXPECT_EQ(points("side"), (Points{{0, 2}, {0, 0.5}}));
   EXPECT_EQ(points("via").size(), 5U);
-  ASSERT_EQ(input.warnings.size(), 1U);
-  EXPECT_EQ(input.warnings[0], "a.cmd:12: contact 'nowhere': no edge at (2, 1): left out");
+  EXPECT_TRUE(input.warnings.empty()) << input.warnings[0];
+  ASSERT_EQ(input.changes.size(), 1U);
+  EXPECT_EQ(input.changes[0].message, "a.cmd:12: contact 'nowhere': no edge at (2, 1): left out");
+  EXPECT_EQ(input.changes[0].where, (Points{{2, 1}}));
 }
 
 TEST(ReadSde, WhatIsNotUnderstoodIsNamed) {
@@ -101,15 +103,19 @@ TEST(ReadSde, WhatIsNotUnderstoodIsNamed) {
 (sdegeo:set-default-boolean "XX")
 (sdedr:define-constant-profile "p" "Boron" 1e17)
 (sdedr:define-constant-profile "q" "Boron" 1e17)
-(sde:build-mesh "snmesh" "" "a"))");
+(sde:build-mesh "snmesh" "" "a")
+(sdeio:read-tdr-bnd "b.tdr"))");
   EXPECT_EQ(input.polygons.size(), 1U);
-  ASSERT_EQ(input.warnings.size(), 2U);
-  EXPECT_EQ(input.warnings[0],
+  ASSERT_EQ(input.changes.size(), 1U);
+  EXPECT_EQ(input.changes[0].kind, Change::Kind::dropped);
+  EXPECT_EQ(input.changes[0].message,
             "not understood and left out: Width (line 7), a line of the preprocessor (line 3, 2 "
             "times), all between a condition of the preprocessor and its #endif (line 1), "
             "sdegeo:create-cuboid (line 10), sdegeo:create-rectangle (line 7), sdegeo:fillet-2d "
-            "(line 8, 2 times), sdegeo:set-default-boolean \"XX\" (line 11)");
-  EXPECT_EQ(input.warnings[1],
+            "(line 8, 2 times), sdegeo:set-default-boolean \"XX\" (line 11), "
+            "sdeio:read-tdr-bnd (line 15)");
+  ASSERT_EQ(input.warnings.size(), 1U);
+  EXPECT_EQ(input.warnings[0],
             "commands of doping and meshing are left out: sde (line 14), sdedr (line 12, 2 times)");
 }
 
@@ -119,59 +125,58 @@ std::string pillar(const char* name) {
 }
 
 /// The names of all regions but the body, one after the other.
-std::string built(const std::string& text, std::string* warning = nullptr) {
+std::string built(const std::string& text, std::string* change = nullptr) {
   const Input input = read(kBody + text);
   std::string names;
   for (std::size_t k = 1; k < input.polygons.size(); ++k) names += input.polygons[k].region;
-  if (warning != nullptr) *warning = input.warnings.empty() ? "" : input.warnings[0];
+  if (change != nullptr) *change = input.changes.empty() ? "" : input.changes[0].message;
   return names;
 }
 
 TEST(ReadSde, ConditionsOfTextsAndNumbers) {
   const std::string a = pillar("a"), b = pillar("b");
-  std::string warning;
+  std::string change;
   const auto branch = [&](const std::string& test) {
-    return built("(define mode \"fin\")(define n 3)(if " + test + " " + a + " " + b + ")",
-                 &warning);
+    return built("(define mode \"fin\")(define n 3)(if " + test + " " + a + " " + b + ")", &change);
   };
   for (const char* test : {"(equal? mode \"fin\")", "(string=? mode \"fin\")", "(eq? n 3)",
                            "(odd? n)", "(not (even? n))", "(and (positive? n) (not (zero? n)))",
                            "(equal? (list 1 mode) (list 1 \"fin\"))"}) {
     EXPECT_EQ(branch(test), "a") << test;
     EXPECT_EQ(branch("(not " + std::string(test) + ")"), "b") << test;
-    EXPECT_EQ(warning, "") << test;
+    EXPECT_EQ(change, "") << test;
   }
 }
 
 /// Neither branch is built: which one is meant, nobody knows.
 TEST(ReadSde, WhatHangsOnUnknownConditionsIsLeftOut) {
   const std::string a = pillar("a"), b = pillar("b");
-  std::string warning;
+  std::string change;
   for (const std::string& text :
        {"(if (of-old? 1) " + a + " " + b + ")", "(if (not (of-old? 1)) " + a + " " + b + ")",
         "(cond ((of-old? 1) " + a + ") (else " + b + "))", "(when (of-old? 1) " + a + ")",
         "(unless (and #t (of-old? 1)) " + a + ")",
         "(if (equal? (of-old? 1) 1) " + a + " " + b + ")"}) {
-    EXPECT_EQ(built(text, &warning), "") << text;
-    EXPECT_EQ(warning, "not understood and left out: of-old? (line 2)") << text;
+    EXPECT_EQ(built(text, &change), "") << text;
+    EXPECT_EQ(change, "not understood and left out: of-old? (line 2)") << text;
   }
-  EXPECT_EQ(built("(if (begin) " + a + ")", &warning), "");
-  EXPECT_EQ(warning, "not understood and left out: a condition (line 2)");
+  EXPECT_EQ(built("(if (begin) " + a + ")", &change), "");
+  EXPECT_EQ(change, "not understood and left out: a condition (line 2)");
 }
 
 TEST(ReadSde, ConditionsOfThePreprocessor) {
   const std::string a = pillar("a") + "\n", b = pillar("b") + "\n", c = pillar("c") + "\n";
-  std::string warning;
-  EXPECT_EQ(built("#if 0\n" + a + "#else\n" + b + "#endif\n" + c, &warning), "bc");
-  EXPECT_EQ(warning, "");
+  std::string change;
+  EXPECT_EQ(built("#if 0\n" + a + "#else\n" + b + "#endif\n" + c, &change), "bc");
+  EXPECT_EQ(change, "");
   EXPECT_EQ(built("#if 1\n" + a + "  #if 0\n" + b + "#endif\n#else\n(\n#endif\n" + c), "ac");
-  EXPECT_EQ(built("#if 1 ; as it was\n" + a + "#endif\n#if 0 // off\n" + b + "#endif\n", &warning),
+  EXPECT_EQ(built("#if 1 ; as it was\n" + a + "#endif\n#if 0 // off\n" + b + "#endif\n", &change),
             "a");
-  EXPECT_EQ(warning, "");
+  EXPECT_EQ(change, "");
   EXPECT_EQ(built("#if 1/x\n" + a + "#endif\n" + b), "b");
   EXPECT_EQ(built("#if 0\n" + a + "#elif 1\n" + b + "#else\n" + c + "#endif\n"), "b");
-  EXPECT_EQ(built("#if @type@ == 1\n" + a + "#else\n" + b + "#endif\n" + c, &warning), "c");
-  EXPECT_EQ(warning,
+  EXPECT_EQ(built("#if @type@ == 1\n" + a + "#else\n" + b + "#endif\n" + c, &change), "c");
+  EXPECT_EQ(change,
             "not understood and left out: all between a condition of the preprocessor and its "
             "#endif (line 2)");
   EXPECT_EQ(refusal(std::string(kBody) + "#if 0\n" + a),
@@ -193,12 +198,12 @@ TEST(ReadSde, LoopsByLetWithAName) {
                   "(let loop ((i 0)) (if (< i 3) (begin " +
                   step + " (loop (next i)))))"),
             "ppp");
-  std::string warning;
-  EXPECT_EQ(built("(let loop ((i 0)) (if (< i 3) (begin (loop (+ i 1)) " + step + ")))", &warning),
+  std::string change;
+  EXPECT_EQ(built("(let loop ((i 0)) (if (< i 3) (begin (loop (+ i 1)) " + step + ")))", &change),
             "p");  // no loop of this kind: the call is not its last
-  EXPECT_EQ(warning, "not understood and left out: loop (line 2)");
-  EXPECT_EQ(built("(define x)", &warning), "");
-  EXPECT_EQ(warning, "not understood and left out: define (line 2)");
+  EXPECT_EQ(change, "not understood and left out: loop (line 2)");
+  EXPECT_EQ(built("(define x)", &change), "");
+  EXPECT_EQ(change, "not understood and left out: define (line 2)");
   EXPECT_NE(refusal("(let loop () (loop))").find("too many steps"), std::string::npos);
 }
 
@@ -210,6 +215,10 @@ TEST(ReadSde, Mistakes) {
   EXPECT_EQ(refusal("(foo)"),
             "a.cmd: no sdegeo:create-rectangle, -polygon or -circle that is understood; not "
             "understood: foo (line 1)");
+  EXPECT_EQ(refusal("#if @x@ == 1\n" + std::string(kBody) + "#endif\n#set y 1\n"),
+            "a.cmd: no sdegeo:create-rectangle, -polygon or -circle that is understood; not "
+            "understood: a line of the preprocessor (line 4), all between a condition of the "
+            "preprocessor and its #endif (line 1)");
   EXPECT_EQ(
       refusal("(sdegeo:create-rectangle (position 0 0 0) (position (/ 1 0) 2 0) \"a\" \"b\")"),
       "a.cmd:1: a coordinate is not finite");
