@@ -56,6 +56,16 @@ class Drawing {
   std::vector<InputPolygon> bodies;
   std::vector<Point> corners;  ///< put into edges besides those of bodies
 
+  /// Makes p a corner of every body, and of every line, that passes there. False if no body does.
+  bool put_corner(Point p, std::vector<InputLine>& lines) {
+    const double reach = kOnSide * extent();
+    bool is_there = false;
+    for (InputPolygon& body : bodies)
+      is_there = put_between(body.rings[0], body.rings[0].size(), p, reach) || is_there;
+    for (InputLine& line : lines) put_between(line.points, line.points.size() - 1, p, reach);
+    return is_there;
+  }
+
   /// The side that p lies on and that is seen; its distance is infinite if there is none.
   [[nodiscard]] Side side_at(Point p) const {
     Side best;
@@ -104,6 +114,25 @@ class Drawing {
   }
 
  private:
+  /// Puts p behind the point that the nearest of so many sides begins at, unless it is a point
+  /// already. False if none is as near as that.
+  static bool put_between(std::vector<Point>& points, std::size_t sides, Point p, double reach) {
+    std::size_t nearest = 0;
+    double least = kInfinity;
+    for (std::size_t i = 0; i < sides; ++i) {
+      const Point foot = nearest_on_segment(points[i], points[(i + 1) % points.size()], p);
+      const double distance = length(p - foot);
+      if (distance < least) {
+        least = distance;
+        nearest = i;
+      }
+    }
+    if (!(least <= reach)) return false;
+    if (std::find(points.begin(), points.end(), p) == points.end())
+      points.insert(points.begin() + static_cast<std::ptrdiff_t>(nearest) + 1, p);
+    return true;
+  }
+
   [[nodiscard]] double extent() const {
     double largest = 0;
     for (const InputPolygon& body : bodies)
@@ -147,6 +176,7 @@ class SdeReader {
           {},
           {}};
     place_contacts();
+    put_corners();
     tell();
     input_.source = source_;
     input_.unit = "um";
@@ -192,6 +222,7 @@ class SdeReader {
     if (is("sdegeo:define-contact-set") || is("sdegeo:create-contact-set")) return nothing;
     if (is("sde:clear")) {
       drawing_ = {};
+      corner_lines_.clear();
       contacts_.clear();
       return nothing;
     }
@@ -214,7 +245,10 @@ class SdeReader {
     if (is("find-edge-id") || is("sdegeo:insert-vertex") || is("find-vertex-id")) {
       const Values values = evaluator.arguments(form);
       if (values.empty() || !values[0].is(Kind::position)) return std::nullopt;
-      if (is("sdegeo:insert-vertex")) drawing_.corners.push_back(values[0].at);
+      if (is("sdegeo:insert-vertex")) {
+        drawing_.corners.push_back(values[0].at);
+        corner_lines_.push_back(form.line);
+      }
       return is("find-edge-id") ? edge_at(values[0].at) : nothing;
     }
     if (is("find-region-id") || is("find-body-id")) return find_body(evaluator.arguments(form));
@@ -357,6 +391,16 @@ class SdeReader {
     }
   }
 
+  void put_corners() {
+    for (std::size_t k = 0; k < drawing_.corners.size(); ++k) {
+      const Point p = drawing_.corners[k];
+      if (drawing_.put_corner(p, input_.lines)) continue;
+      drop(fmt::format("{}:{}: vertex: no edge at {}: left out", source_, corner_lines_[k],
+                       describe(p)),
+           {p});
+    }
+  }
+
   void drop(std::string message, std::vector<Point> where) {
     input_.changes.push_back({Change::Kind::dropped, std::move(message), std::move(where), {}});
   }
@@ -370,6 +414,7 @@ class SdeReader {
 
   const std::string& source_;
   Drawing drawing_;
+  std::vector<int> corner_lines_;  ///< by corner of the drawing
   std::vector<Contact> contacts_;
   std::string contact_;  ///< the current set
   bool new_wins_ = true;

@@ -94,6 +94,28 @@ TEST(ReadSde, ContactsEndAtCornersAndCrossings) {
   EXPECT_EQ(input.changes[0].where, (Points{{2, 1}}));
 }
 
+TEST(ReadSde, VerticesAreCornersOfAllBodiesThere) {
+  const Input input = read(std::string(kBody) + R"(
+(sdegeo:create-rectangle (position 0 2 0) (position 4 3 0) "Oxide" "R.Ox")
+(sdegeo:insert-vertex (position 1 2 0))
+(sdegeo:insert-vertex (position 1 2 0))
+(sdegeo:insert-vertex (position 0 1 0))
+(sdegeo:insert-vertex (position 4 3 0))
+(sdegeo:insert-vertex (position 1 1 0))
+(sdegeo:set-contact (find-region-id "R.Ox") "all"))");
+  using Points = std::vector<Point>;
+  ASSERT_EQ(input.polygons.size(), 2U);
+  EXPECT_EQ(input.polygons[0].rings[0], (Points{{0, 0}, {4, 0}, {4, 2}, {1, 2}, {0, 2}, {0, 1}}));
+  EXPECT_EQ(input.polygons[1].rings[0], (Points{{0, 2}, {1, 2}, {4, 2}, {4, 3}, {0, 3}}));
+  ASSERT_EQ(input.lines.size(), 1U);
+  EXPECT_EQ(input.lines[0].points, (Points{{0, 2}, {1, 2}, {4, 2}, {4, 3}, {0, 3}, {0, 2}}));
+  ASSERT_EQ(input.changes.size(), 1U);
+  EXPECT_EQ(input.changes[0].message, "a.cmd:8: vertex: no edge at (1, 1): left out");
+  const auto cleaned = testing::clean(input);
+  ASSERT_TRUE(cleaned) << cleaned.error().message;
+  EXPECT_EQ(cleaned->pslg.points.size(), 8U);
+}
+
 TEST(ReadSde, WhatIsNotUnderstoodIsNamed) {
   const Input input = read(std::string("#if @x@ == 1\n#endif\n#set x 1\n#set y 2\n") + kBody + R"(
 (sdegeo:create-rectangle (position 0 0 0) (position Width 2 0) "Silicon" "R")
