@@ -40,6 +40,16 @@ class Render(Case):
         self.assertGreater(len(set(re.findall('fill="(#[0-9a-f]{6})"', pictures[0]))), 10)
         self.assertEqual(*(re.findall('<path fill=[^/]*/>', pictures[k]) for k in (0, 2)))
 
+    def test_values_at_points_are_those_of_the_region(self):
+        # Doping is above zero in silicon, also at its border, and zero in all else.
+        self.run_cover('mesh', SAMPLES / 'nmos.tif', '-o', 'n.vtm', '-o', 'n.vtu', '--report', 'r.json', '-q')
+        regions = json.loads((self.dir / 'r.json').read_text())['regions']
+        undoped = sum(region['triangles'] for region in regions if region['material_name'] != 'Si')
+        for mesh in 'n.vtm', 'n.vtu':
+            self.run_cover('render', mesh, '-o', 'n.svg', '--color', 'Total', '--range', '0,1', '--no-edges', '--worst', 0)
+            lowest = re.search('<path clip-path[^>]* fill="#440154"[^>]* d="([^"]*)"', (self.dir / 'n.svg').read_text())
+            self.assertEqual(lowest[1].count('M'), undoped, mesh)
+
     def test_arrays_of_our_own(self):
         self.run_cover('mesh', SAMPLES / 'fibre_cell.json', '-o', 'p.vtu', '-q')
         self.run_cover('mesh', SAMPLES / 'fibre_cell.json', '-o', 'p.pvtu', '--parts', '3', '-q')

@@ -58,6 +58,19 @@ bool take_regions(const TriangleSoup& known, TriangleSoup& soup) {
   return true;
 }
 
+/// What regions of `known` have at points, for the arrays of the same names in `mesh`.
+RegionValues values_of_regions(const PictureMesh& known, const MeshFile& mesh) {
+  RegionValues values(mesh.point_arrays.size());
+  for (std::size_t k = 0; k < known.region_values.size(); ++k) {
+    const auto has_name = [&name = known.mesh.point_arrays[k].name](
+                              const PlaneField::Array& array) { return array.name == name; };
+    const auto at = std::find_if(mesh.point_arrays.begin(), mesh.point_arrays.end(), has_name);
+    if (at != mesh.point_arrays.end())
+      values[static_cast<std::size_t>(at - mesh.point_arrays.begin())] = known.region_values[k];
+  }
+  return values;
+}
+
 /// With regions, names and contacts as read_output() has them; of what it refuses, with the numbers
 /// of the file.
 Result<PictureMesh> read_picture(const std::string& path) {
@@ -70,6 +83,7 @@ Result<PictureMesh> read_picture(const std::string& path) {
   if (known) picture = picture_of(*known);
   // Lines are by vertex: they hold only where both readers count alike.
   if (!take_regions(picture.mesh.soup, mesh->soup)) picture = {};
+  picture.region_values = values_of_regions(picture, *mesh);
   picture.mesh = *std::move(mesh);
   return picture;
 }

@@ -32,6 +32,7 @@ struct PictureMesh {
   std::vector<PictureLine> lines;                      ///< empty: found from the regions
   std::string unit;                                    ///< of the coordinates; empty: not said
   std::vector<std::vector<std::uint32_t>> periodic{};  ///< by rule: vertices with partners, marked
+  RegionValues region_values{};  ///< of arrays at points, as Output::region_values
 };
 
 /// How it is drawn.

@@ -259,9 +259,10 @@ class Composer {
       if (name == options_.color) return std::vector<double>(numbers->begin(), numbers->end());
       if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
     }
-    for (const PlaneField::Array& array : mesh_.mesh.point_arrays) {
-      if (array.name == options_.color) return means_of_corners(array.values);
-      names.push_back(array.name);
+    for (std::size_t k = 0; k < mesh_.mesh.point_arrays.size(); ++k) {
+      const std::string& name = mesh_.mesh.point_arrays[k].name;
+      if (name == options_.color) return means_of_corners(k);
+      names.push_back(name);
     }
     for (const auto& [name, angles_of] :
          {std::pair("max_angle", &largest_angles), std::pair("min_angle", &smallest_angles)}) {
@@ -272,11 +273,17 @@ class Composer {
         fmt::format("the mesh has no array '{}'; it has {}", options_.color, listed(names)));
   }
 
-  [[nodiscard]] std::vector<double> means_of_corners(const std::vector<double>& values) const {
+  /// Of the k-th array at points, as the region of each triangle has it.
+  [[nodiscard]] std::vector<double> means_of_corners(std::size_t k) const {
     std::vector<double> means;
     means.reserve(soup_.triangles.size());
-    for (const auto& [a, b, c] : soup_.triangles)
-      means.push_back((values[a] + values[b] + values[c]) / 3);
+    for (std::size_t t = 0; t < soup_.triangles.size(); ++t) {
+      const auto id = static_cast<std::uint32_t>(region(t));
+      double sum = 0;
+      for (const std::uint32_t v : soup_.triangles[t])
+        sum += value_in(mesh_.mesh.point_arrays, mesh_.region_values, k, v, RegionId(id));
+      means.push_back(sum / 3);
+    }
     return means;
   }
 

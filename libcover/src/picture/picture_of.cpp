@@ -57,6 +57,7 @@ PictureMesh picture_of(const Output& output, int order) {
   for (const Attribute& attribute : output.table.attributes)
     picture.mesh.arrays.push_back(by_triangle(attribute, picture.mesh.soup));
   picture.mesh.point_arrays = output.fields;
+  picture.region_values = output.region_values;
   for (const Region& region : output.table.regions) {
     picture.region_names[region.id.value()] = region.name;
     picture.material_names[region.material] = region.material_name;

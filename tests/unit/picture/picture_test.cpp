@@ -144,6 +144,26 @@ TEST(Picture, ColoursShowTheRangeAskedFor) {
   EXPECT_FALSE(svg_text(two_squares(), options));
 }
 
+TEST(Picture, ValuesAtPointsAreThoseOfTheRegion) {
+  PictureMesh mesh = two_squares();
+  mesh.mesh.arrays.clear();
+  mesh.mesh.point_arrays = {{"other", {1, 2, 3, 4, 5, 6}}, {"doping", {9, 9, 0, 0, 9, 9}}};
+  mesh.region_values = {{}, {{1, RegionId(2), 0}, {4, RegionId(2), 0}}};
+  PictureOptions options;
+  options.color = "doping";
+  options.edges = false;
+  options.worst = 0;
+  const Result<Drawing> drawing = compose(mesh, options);
+  ASSERT_TRUE(drawing) << drawing.error().message;
+  const Image image = paint(*drawing);
+  const PixelBox& plot = drawing->plot;
+  const double middle = (plot.y0 + plot.y1) / 2;
+  for (const double part : {0.1, 0.4, 0.6, 0.9}) {
+    EXPECT_EQ(at(image, plot.x0 + part * (plot.x1 - plot.x0), middle - 7),
+              value_colour(part < 0.5 ? 1 : 0));
+  }
+}
+
 TEST(Picture, ManyRegionsAreListedByMaterial) {
   PictureMesh mesh = two_squares();
   mesh.mesh.soup = {};
