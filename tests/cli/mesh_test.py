@@ -157,6 +157,13 @@ class Mesh(Case):
         self.assertIn('cover: info: wrote d.vtu', err)
         self.assertIn('wrote d.vtu', (self.dir / 'log').read_text())
 
+    def test_log_is_of_one_run(self):
+        for name in 'd.vtu', 'e.vtu':
+            self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', name, '--log', 'log')
+        log = (self.dir / 'log').read_text()
+        self.assertEqual(('wrote d.vtu' in log, 'wrote e.vtu' in log), (False, True))
+        self.assertIn('to FILE, which is replaced', ' '.join(self.run_cover('mesh', '--help')[0].split()))
+
     def test_log_that_cannot_be_written(self):
         _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--log', SAMPLES / 'diode.poly/log', code=5)
         self.assertIn('diode.poly/log', err)

@@ -188,7 +188,9 @@ void add_verbosity(CLI::App& command, Verbosity& verbosity) {
   command.add_flag("-q,--quiet", verbosity.quiet, "Print errors only")->group(group);
   command.add_flag("-v,--verbose", verbosity.verbose, "Say what is done; -vv: in detail")
       ->group(group);
-  command.add_option("--log", verbosity.log_file, "Write all messages, with times, to FILE")
+  command
+      .add_option("--log", verbosity.log_file,
+                  "Write all messages of this run, with times, to FILE, which is replaced")
       ->type_name("FILE")
       ->group(group);
 }
