@@ -244,6 +244,20 @@ class Layers(Case):
         oxide = next(r for r in report['regions'] if r['name'] == 'oxide')
         self.assertGreater(oxide['layers'][0]['fewest'], 0)
 
+    def test_layers_that_want_shorter_edges_across_the_region(self):
+        self.write('cap.json', json.dumps({
+            'polygons': [{'material': 'Si', 'region': 'sub', 'rings': [[[0, -1], [0.2, -1], [0.2, 0], [0, 0]]]},
+                         {'material': 'SiO2', 'region': 'ox', 'rings': [[[0, 0], [0.2, 0], [0.2, 0.002], [0, 0.002]]]}],
+            'lines': [{'name': 'gate', 'points': [[0, 0.002], [0.2, 0.002]]}],
+            'layers': [{'line': 'sub_ox', 'region': 'sub', 'first': 0.0002, 'growth': 1.2},
+                       {'line': 'sub_ox', 'region': 'ox', 'first': 0.0005, 'growth': 1, 'count': 4}]}))
+        words = ('mesh', 'cap.json', '--split-interfaces', '--box-method', '-o', 'cap.vtu', '--size-at', 'sub_ox=0.01')
+        told = self.run_cover(*words)[1]
+        self.assertRegex(told, r'be negative \(the region is thin there: --size-at LINE=0\.01 for the line across it as well, '
+                               r'as at \(0\.\d+, 0\.002\), makes points of both alike\)')
+        self.assertNotIn('--couplings last', told)
+        self.assertNotIn('would be negative', self.run_cover(*words, '--size-at', 'gate=0.01')[1])
+
     def test_layers_that_give_way_to_couplings(self):
         """Walls with other numbers of points: the default, angles alone, and what the report says of both."""
         def ring(radius, chords):

@@ -21,6 +21,7 @@
 #include <cover/text.hpp>
 
 #include "base/containers/order.hpp"
+#include "base/numbers.hpp"
 #include "cdt/couplings.hpp"
 #include "cdt/region_cdt.hpp"
 #include "geom/spatial_order.hpp"
@@ -251,11 +252,63 @@ std::string about_ends(const RegionBoundary& boundary, const Options& options,
                      describe(corner), sharpest);
 }
 
-/// Behind the reason why layers along a line are fewer.
+/// What lies straight across a region from the middle of a side.
+struct Across {
+  std::uint32_t side = kNone;
+  double distance = kInfinity;
+};
+
+Across across_from(const RegionBoundary& boundary, std::uint32_t side) {
+  const auto ends = [&](std::uint32_t s) {
+    const auto& [a, b] = boundary.sides[s];
+    return std::pair(boundary.points[a], boundary.points[b]);
+  };
+  const auto [a, b] = ends(side);
+  const Point from = midpoint(a, b);
+  const Vector up = layers::unit_normal(a, b);
+  Across nearest;
+  for (std::uint32_t s = 0; s < boundary.sides.size(); ++s) {
+    const auto [p, q] = ends(s);
+    const double of_p = cross(up, p - from), of_q = cross(up, q - from);
+    if (s == side || (of_p > 0) == (of_q > 0)) continue;
+    const double distance = dot(up, p + of_p / (of_p - of_q) * (q - p) - from);
+    if (distance > 0 && distance < nearest.distance) nearest = {s, distance};
+  }
+  return nearest;
+}
+
+/// Where a line with layers was cut to a size and the region is thin: that the wall across wants
+/// the same size, if it has none. Else both have other points, and slanted edges between them.
+std::string about_wall_across(const RegionBoundary& boundary, const Options& options,
+                              const LayerRule& asked, Point at) {
+  const auto size = std::find_if(options.sizes.begin(), options.sizes.end(),
+                                 [&](const auto& r) { return r.at && r.name == asked.line; });
+  if (!options.split_interfaces || size == options.sizes.end()) return "";
+  for (std::uint32_t s = 0; s < boundary.sides.size(); ++s) {
+    const Point a = boundary.points[boundary.sides[s][0]],
+                b = boundary.points[boundary.sides[s][1]];
+    if (boundary.layers[s] == 0 || midpoint(a, b) != at) continue;
+    const Across across = across_from(boundary, s);
+    if (across.side == kNone || across.distance > length(b - a)) return "";
+    const double wished = boundary.size_along.empty() ? 0 : boundary.size_along[across.side];
+    if (wished > 0 && wished <= size->size) return "";
+    const auto& [c, d] = boundary.sides[across.side];
+    return fmt::format(
+        " (the region is thin there: --size-at LINE={} for the line across it as well, as at {}, "
+        "makes points of both alike)",
+        describe(size->size), describe(midpoint(boundary.points[c], boundary.points[d])));
+  }
+  return "";
+}
+
+/// Behind the reason why layers along a line are fewer, first at a place.
 std::string what_helps(const RegionBoundary& boundary, const Options& options,
-                       const LayerRule& asked, LayerStop why) {
-  if (why == LayerStop::end) return about_ends(boundary, options, asked);
-  return why == LayerStop::couplings ? " (--couplings last keeps all that the bound allows)" : "";
+                       const LayerRule& asked, const LayerReport::Short& part) {
+  if (part.why == LayerStop::end) return about_ends(boundary, options, asked);
+  if (part.why != LayerStop::couplings) return "";
+  std::string wall = about_wall_across(boundary, options, asked, part.at);
+  if (!wall.empty() || options.box_method) return wall;
+  return " (--couplings last keeps all that the bound allows)";
 }
 
 /// What layers fell short of, but for their ends.
@@ -271,7 +324,7 @@ std::vector<Note> notes_of(const RegionBoundary& boundary, const Options& option
            fmt::format("region {}: layers along '{}' are {} on {}, the first at {}: {}{}",
                        boundary.id.value(), line.asked.line, line.most == 0 ? "missing" : "fewer",
                        counted(part.segments, "segment"), describe(part.at), describe(part.why),
-                       what_helps(boundary, options, line.asked, part.why)),
+                       what_helps(boundary, options, line.asked, part)),
            {part.at}});
     }
   }
