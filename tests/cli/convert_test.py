@@ -427,6 +427,14 @@ class Values(Case):
             self.assertEqual(str(self.arrays('g.vtu', 'PointData', 'Net')), str(self.arrays('e.vtu', 'PointData', 'Net')))
         self.assertEqual(str(self.arrays('f.vtu', 'PointData', 'Net')), str(self.arrays('e.vtu', 'PointData', 'Net')))
 
+    def test_what_is_lost_where_a_mesh_is_meshed_again_is_told(self):
+        self.run_cover('mesh', SAMPLES / 'nmos.tif', '-o', 'n.vtu', '-o', 'n.msh', '-o', 'n.vtm', '-q')
+        told = self.run_cover('mesh', 'n.vtu', '-o', 'a.vtu')[1]
+        self.assertEqual((told.count('contacts are missing'), told.count("values at points are not taken over: 'Net'")), (1, 1), told)
+        told = self.run_cover('mesh', 'n.msh', '-o', 'a.vtu')[1]
+        self.assertEqual((told.count('contacts are missing'), told.count("values at points are not taken over: 'Net'")), (0, 1), told)
+        self.assertNotIn('taken over', self.run_cover('mesh', SAMPLES / 'nmos.tif', '-o', 'a.vtu')[1])
+
     def test_formats_without_attributes_are_told(self):
         told = self.run_cover('mesh', 'm.geojson', *self.KEEP, '-o', 'm.vtk', '-o', 'm.inp', '-o', 'm.vtu', '-o', 'm.svg')[1]
         self.assertIn('attributes (use, height, fid) are not in m.vtk, m.inp: formats that hold them are .vtu, ', told)

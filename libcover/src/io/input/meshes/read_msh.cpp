@@ -46,6 +46,8 @@ class CellsOfMsh {
                       counted(file_.in_several_groups, "further physical group")));
     // Its curves need not be in groups, and a group may have more curves than the pair.
     if (file_.has_periodic_points) input.warnings.push_back(pairs_left_out("$Periodic"));
+    for (std::string& warning : values_left_out(file_.point_arrays))
+      input.warnings.push_back(std::move(warning));
     return input;
   }
 

@@ -282,6 +282,9 @@ Result<Input> parse_vtk_input(std::string_view text, std::string_view extension,
     input.warnings.push_back(corners_taken(converter.second_order()));
   if (data->array_of_points("PeriodicNode") != nullptr)
     input.warnings.push_back(pairs_left_out("PeriodicNode"));
+  if (data->array_of_cells("RegionId") != nullptr) input.warnings.push_back(names_left_out());
+  for (std::string& warning : values_left_out(data->point_arrays))
+    input.warnings.push_back(std::move(warning));
   return input;
 }
 
