@@ -434,6 +434,10 @@ class Values(Case):
         told = self.run_cover('mesh', 'n.msh', '-o', 'a.vtu')[1]
         self.assertEqual((told.count('contacts are missing'), told.count("values at points are not taken over: 'Net'")), (0, 1), told)
         self.assertNotIn('taken over', self.run_cover('mesh', SAMPLES / 'nmos.tif', '-o', 'a.vtu')[1])
+        told = self.run_cover('mesh', 'n.vtm', '-o', 'a.vtu', code=5)[1]
+        self.assertIn("'cover convert FILE -o FILE.msh' makes a file that can be read, with names and contacts", told)
+        told = self.run_cover('mesh', SAMPLES / 'nmos.tif', '--size-field', 'n.vtm', '--size-of', 'Net', '--size-step', 1, '-o', 'a.vtu', code=5)[1]
+        self.assertIn("n.vtm: blocks are not read; 'cover convert FILE.vtm -o FILE.vtu' makes one file of them", told)
 
     def test_formats_without_attributes_are_told(self):
         told = self.run_cover('mesh', 'm.geojson', *self.KEEP, '-o', 'm.vtk', '-o', 'm.inp', '-o', 'm.vtu', '-o', 'm.svg')[1]

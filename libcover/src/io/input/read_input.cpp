@@ -34,7 +34,13 @@ constexpr std::string_view kOfMaps =
 constexpr std::string_view kWantsGeoJson =
     "'ogr2ogr -f GeoJSON OUT.geojson FILE' makes a file of it that can be read";
 
+constexpr std::string_view kOfMeshes =
+    "it is a mesh that is drawn, checked and converted alone; "
+    "'cover convert FILE -o FILE.msh' makes a file that can be read, with names and contacts";
+
 constexpr std::array kOtherFormats{
+    OtherFormat{".vtm", kOfMeshes},
+    OtherFormat{".vtkhdf", kOfMeshes},
     OtherFormat{".shp", kOfMaps},
     OtherFormat{".gpkg", kOfMaps},
     OtherFormat{".fgb", kOfMaps},

@@ -16,6 +16,13 @@ bool is_data_set(std::string_view extension) {
 
 Result<DataSet> parse_data_set(std::string_view text, std::string_view extension,
                                const std::string& source) {
+  if (extension == ".vtm")
+    return Error{ErrorCode::unsupported_format,
+                 fmt::format("{}: blocks are not read; 'cover convert FILE.vtm -o FILE.vtu' makes "
+                             "one file of them",
+                             source),
+                 {},
+                 {}};
   if (!is_data_set(extension))
     return Error{ErrorCode::unsupported_format,
                  fmt::format("{}: not named like a file of VTK: .vtu, .vtp, .vti or .vtk", source),

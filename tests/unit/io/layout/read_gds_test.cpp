@@ -337,6 +337,8 @@ TEST(ReadInput, SaysHowToConvertWhatOthersRead) {
         std::pair(".shp", "cover::gdal, <cover/read_gdal.hpp>"),
         std::pair(".geo", "cover::gmsh, <cover/read_geo.hpp>")})
     EXPECT_NE(told(extension).find(component), std::string::npos) << extension;
+  for (const char* mesh : {".vtm", ".vtkhdf"})
+    EXPECT_NE(told(mesh).find("cover convert FILE -o FILE.msh"), std::string::npos) << mesh;
   EXPECT_NE(told(".oas").find("strm2gds"), std::string::npos);
   ReadOptions options;
   options.crs = "EPSG:25832";

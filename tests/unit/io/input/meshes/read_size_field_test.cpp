@@ -87,6 +87,9 @@ TEST(ReadSizeField, WhatIsNone) {
       ErrorCode::syntax);
   EXPECT_EQ(read_sizes("h.vtk", "rubbish").error().code, ErrorCode::syntax);
   EXPECT_EQ(read_sizes("h.txt", "1,2").error().code, ErrorCode::unsupported_format);
+  const Error blocks = read_sizes("h.vtm", "").error();
+  EXPECT_EQ(blocks.code, ErrorCode::unsupported_format);
+  EXPECT_NE(blocks.message.find("cover convert FILE.vtm -o FILE.vtu"), std::string::npos);
   EXPECT_EQ(read_size_field("none.vtu").error().code, ErrorCode::cannot_open);
 }
 
