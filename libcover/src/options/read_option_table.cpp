@@ -84,6 +84,8 @@ bool is_map(const ReadOptions& o) { return is_map_with_curves(o) || is_format(o,
 /// GeoJSON is often named .json; what is no map after all is told by its reader.
 bool is_maybe_map(const ReadOptions& o) { return is_map(o) || is_format(o, ".json"); }
 bool is_drawing(const ReadOptions& o) { return is_format(o, ".dxf"); }
+/// Commands of the Sentaurus Structure Editor, which has circles.
+bool is_deck(const ReadOptions& o) { return is_format(o, ".cmd", ".scm"); }
 bool is_picture(const ReadOptions& o) {
   return is_format(o, ".png", ".bmp", ".tif", ".tiff", ".nrrd", ".mha", ".vti", ".vtk");
 }
@@ -134,14 +136,14 @@ constexpr ReadOptionEntry kReadTable[] = {
         .range = ranges::kChordError,
         .help = "How far a chord may be from the curve of a drawing, as a length in the file's unit",
         .counts_with = "drawings and layouts",
-        .counts = [](const ReadOptions& o) { return is_layout(o) || is_drawing(o); }}),
+        .counts = [](const ReadOptions& o) { return is_layout(o) || is_drawing(o) || is_deck(o); }}),
     number<&ReadOptions::chord_angle>({
         .name = "chord-angle", .placeholder = "DEG",
         .range = ranges::kChordAngle,
         .help = "What a chord may turn by along a curve of a drawing; 5 degrees unless given",
         .counts_with = "drawings, layouts and maps with curves",
         .counts = [](const ReadOptions& o) {
-          return is_layout(o) || is_drawing(o) || is_map_with_curves(o);
+          return is_layout(o) || is_drawing(o) || is_deck(o) || is_map_with_curves(o);
         }}),
     text<&ReadOptions::material_field>({
         .name = "material-field", .placeholder = "NAME",

@@ -43,9 +43,10 @@ Result<Input> parse_tif(std::string_view text, const std::string& source);
 Result<Input> parse_suprem(std::string_view text, const std::string& source);
 
 /// Commands of the Sentaurus Structure Editor: regions, materials and contacts of plane drawings.
-/// What is not understood is named in the warnings.
+/// Circles become chords by `options`. What is not understood is named in the warnings.
 /// Units: micrometres.
-Result<Input> parse_sde(std::string_view text, const std::string& source);
+Result<Input> parse_sde(std::string_view text, const std::string& source,
+                        const ReadOptions& options = {});
 
 /// A plane mesh in a file of VTK's, named by its extension: see read_vtk_input().
 Result<Input> parse_vtk_input(std::string_view text, std::string_view extension,

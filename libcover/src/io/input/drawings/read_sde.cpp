@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -21,6 +20,7 @@
 #include "geom/foot.hpp"
 #include "geom/rings/place_in_ring.hpp"
 #include "geom/vector.hpp"
+#include "io/input/drawings/curves.hpp"
 #include "io/input/drawings/scheme_values.hpp"
 #include "io/input/formats.hpp"
 
@@ -33,7 +33,8 @@ using Values = SchemeEvaluator::Values;
 /// A place is on a side if it misses it by at most this part of the drawing: positions are
 /// computed.
 constexpr double kOnSide = 1e-6;
-constexpr int kChordsOfCircle = 72;
+/// More chords than this of one circle are taken for a mistake.
+constexpr std::size_t kMostChordsOfCircle = std::size_t{1} << 22;
 
 SchemeValue edge_at(Point p) {
   SchemeValue edge;
@@ -152,7 +153,8 @@ class Drawing {
 
 class SdeReader {
  public:
-  explicit SdeReader(const std::string& source) : source_(source) {}
+  SdeReader(const std::string& source, const ReadOptions& options)
+      : source_(source), options_(options) {}
 
   Result<Input> read(const SchemeText& text) {
     SchemeEvaluator evaluator(
@@ -235,7 +237,7 @@ class SdeReader {
     }
     if (is("sdegeo:create-rectangle")) return create(form, rectangle(evaluator.arguments(form)));
     if (is("sdegeo:create-polygon")) return create(form, polygon(evaluator.arguments(form)));
-    if (is("sdegeo:create-circle")) return create(form, circle(evaluator.arguments(form)));
+    if (is("sdegeo:create-circle")) return create_circle(form, evaluator.arguments(form));
     if (is("sdegeo:set-default-boolean")) return set_boolean(form, evaluator.arguments(form));
     if (is("sdegeo:set-current-contact-set")) {
       const Values values = evaluator.arguments(form);
@@ -261,6 +263,8 @@ class SdeReader {
   /// The ring, and the names behind it.
   using Body = std::optional<std::pair<std::vector<Point>, Values>>;
 
+  static bool is_finite(Point p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+
   static Body rectangle(Values values) {
     if (values.size() < 2 || !values[0].is(Kind::position) || !values[1].is(Kind::position))
       return std::nullopt;
@@ -282,17 +286,38 @@ class SdeReader {
     return std::pair(std::move(ring), std::move(values));
   }
 
-  static Body circle(Values values) {
+  SchemeValue create_circle(const SchemeForm& form, Values values) {
     if (values.size() < 2 || !values[0].is(Kind::position) || !values[1].is(Kind::number) ||
         !(values[1].number > 0))
-      return std::nullopt;
-    std::vector<Point> ring;
-    for (int k = 0; k < kChordsOfCircle; ++k) {
-      const double angle = 2 * std::numbers::pi * k / kChordsOfCircle;
-      ring.push_back(values[0].at + values[1].number * Vector{std::cos(angle), std::sin(angle)});
-    }
+      return create(form, std::nullopt);
+    Arc arc;
+    arc.centre = values[0].at;
+    arc.radius = values[1].number;
+    arc.step = options_.chord_angle;
+    if (options_.chord_error)
+      arc.step = std::min(arc.step, step_for_chord_error(arc.radius, *options_.chord_error));
     values.erase(values.begin(), values.begin() + 2);
-    return std::pair(std::move(ring), std::move(values));
+    if (!is_finite(arc.centre) || !std::isfinite(arc.radius))
+      return create(form, std::pair(std::vector{arc.centre + Vector{arc.radius, 0}}, values));
+    CurveCutter cutter;
+    cutter.add(arc);
+    std::optional<std::vector<Point>> ring = cutter.points(arc, kMostChordsOfCircle);
+    if (!ring) {
+      unusable_ = Error{ErrorCode::unsupported_format,
+                        fmt::format("{}:{}: a circle has more than {} chords; is the chord error "
+                                    "given in the unit of the file?",
+                                    source_, form.line, kMostChordsOfCircle),
+                        {},
+                        {}};
+      return {};
+    }
+    ring->pop_back();
+    const std::size_t chords = ring->size();
+    SchemeValue value = create(form, std::pair(*std::move(ring), std::move(values)));
+    if (value.is(Kind::body))
+      drawing_.bodies.back().circles = {
+          std::vector<std::uint32_t>(chords, circles_.of({arc.centre, arc.radius}))};
+    return value;
   }
 
   SchemeValue create(const SchemeForm& form, const Body& body) {
@@ -303,7 +328,7 @@ class SdeReader {
     }
     InputPolygon polygon;
     for (const Point& p : body->first) {
-      if (std::isfinite(p.x) && std::isfinite(p.y)) continue;
+      if (is_finite(p)) continue;
       unusable_ = Error{ErrorCode::non_finite_coordinate,
                         fmt::format("{}:{}: a coordinate is not finite", source_, form.line),
                         {},
@@ -365,10 +390,13 @@ class SdeReader {
       return true;
     }
     if (what.is(Kind::body)) {
-      const auto& ring = drawing_.bodies[static_cast<std::size_t>(what.number)].rings[0];
-      std::vector<Point> around = ring;
-      around.push_back(ring.front());
+      const InputPolygon& body = drawing_.bodies[static_cast<std::size_t>(what.number)];
+      std::vector<Point> around = body.rings[0];
+      around.push_back(around.front());
       input_.lines.push_back({name, std::move(around), static_cast<long>(input_.lines.size())});
+      if (body.circles.empty()) return true;
+      input_.lines.back().circles = body.circles[0];
+      input_.lines.back().circles.push_back(0);
       return true;
     }
     if (!what.is(Kind::list) || what.items.empty()) return false;
@@ -388,6 +416,8 @@ class SdeReader {
       }
       const auto [a, b] = drawing_.edge_around(side);
       input_.lines.push_back({contact.name, {a, b}, static_cast<long>(input_.lines.size())});
+      const InputPolygon& body = drawing_.bodies[side.body];
+      if (!body.circles.empty()) input_.lines.back().circles = {body.circles[0][0], 0};
     }
   }
 
@@ -413,6 +443,7 @@ class SdeReader {
   }
 
   const std::string& source_;
+  const ReadOptions& options_;
   Drawing drawing_;
   std::vector<int> corner_lines_;  ///< by corner of the drawing
   std::vector<Contact> contacts_;
@@ -421,14 +452,16 @@ class SdeReader {
   Counts left_out_, no_geometry_;
   std::optional<Error> unusable_;
   Input input_;
+  CircleNumbers circles_{input_.circles};
 };
 
 }  // namespace
 
-Result<Input> parse_sde(std::string_view text, const std::string& source) {
+Result<Input> parse_sde(std::string_view text, const std::string& source,
+                        const ReadOptions& options) {
   const Result<SchemeText> parsed = parse_scheme(text, source);
   if (!parsed) return parsed.error();
-  return SdeReader(source).read(*parsed);
+  return SdeReader(source, options).read(*parsed);
 }
 
 }  // namespace cover

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include <fmt/core.h>
@@ -46,6 +47,34 @@ one |#
   EXPECT_EQ(input.polygons[1].material, "SiO2");
   EXPECT_EQ(input.polygons[1].rings[0], (std::vector<Point>{{0, 1}, {1, 1}, {0, 2}}));
   EXPECT_EQ(input.polygons[2].rings[0].size(), 72U);
+}
+
+TEST(ReadSde, CirclesAreArcsOfChordsAsOptionsSay) {
+  const std::string text = R"(
+(sdegeo:create-rectangle (position 0 0 0) (position 4 4 0) "Silicon" "R.Body")
+(define wire (sdegeo:create-circle (position 1 1 0) 0.5 "Cu" "R.Wire"))
+(sdegeo:create-circle (position 3 3 0) 0.5 "Cu" "R.Other")
+(sdegeo:define-2d-contact wire "pin")
+)";
+  ReadOptions options;
+  options.chord_angle = 10;
+  const Input input = testing::must_read(parse_sde(text, "a.cmd", options));
+  ASSERT_EQ(input.polygons.size(), 3U);
+  EXPECT_TRUE(input.polygons[0].circles.empty());
+  EXPECT_EQ(input.polygons[1].rings[0].size(), 36U);
+  EXPECT_EQ(input.polygons[1].circles, (std::vector{std::vector<std::uint32_t>(36, 1)}));
+  EXPECT_EQ(input.polygons[2].circles, (std::vector{std::vector<std::uint32_t>(36, 2)}));
+  EXPECT_EQ(input.circles, (std::vector<ArcCircle>{{{1, 1}, 0.5}, {{3, 3}, 0.5}}));
+  ASSERT_EQ(input.lines.size(), 1U);
+  EXPECT_EQ(input.lines[0].points.size(), 37U);
+  EXPECT_EQ(input.lines[0].circles.front(), 1U);
+  EXPECT_EQ(input.lines[0].circles.back(), 0U);
+  options.chord_error = 0.5 * (1 - std::cos(0.05));  // half of a chord of 5.7 degrees
+  const Input fine = testing::must_read(parse_sde(text, "a.cmd", options));
+  EXPECT_EQ(fine.polygons[1].rings[0].size(), 63U);
+  options.chord_error = 1e-15;
+  EXPECT_NE(testing::must_refuse(parse_sde(text, "a.cmd", options)).find("chords"),
+            std::string::npos);
 }
 
 TEST(ReadSde, BooleansSayWhoWins) {
