@@ -232,6 +232,13 @@ class DryRun(Case):
             self.assertIn('--report writes nothing in a dry run', err)
             self.assertEqual(self.files(), [])
 
+    def test_estimate_with_layers_of_the_input(self):
+        words = (SAMPLES / 'mosfet_layers.json', '--split-interfaces', '--box-method', '--size-at', 'channel_oxide=20', '--size-at', 'oxide_gate=20')
+        report = json.loads(self.run_cover('mesh', *words, '-o', 's.vtu', '--dry-run', '--stats', 'json')[0])
+        made, _ = self.run_cover('mesh', *words, '-o', 's.vtu')
+        made = float(re.match(r'([0-9,]+) triangles', made)[1].replace(',', ''))
+        self.assertLess(abs(report['estimate']['triangles'] - made), 0.3 * made)
+
     def test_estimate(self):
         self.write('s.poly', SQUARE)
         fine = ('--split-interfaces', '--size', '0.02')

@@ -24,11 +24,13 @@ struct Estimate {
   std::vector<Note> notes{};  ///< warnings of sizes that segments do not allow
 };
 
-/// Figures for `prepared`, which prepare() made with these options. Measured for the quality
-/// method; triangles are right up to a third where sizes are wished that segments allow, else up to
-/// a factor of two. Of disks they are no estimate: what lines far from each other take.
+/// Figures for `prepared`, which prepare() made with these options; layers that the input asks for
+/// (Input::layers) count where they stand before Options::layers. Measured for the quality method;
+/// triangles are right up to a third where sizes are wished that segments allow, else up to a
+/// factor of two; layers count as if none gave way. Of disks they are no estimate: what lines far
+/// from each other take.
 ///
-/// Errors: those of check_options() and of sizes (bad_option)
+/// Errors: those of check_options(), of sizes and of layers (bad_option)
 /// Cost:   O(n log n)
 Result<Estimate> estimate(const Prepared& prepared, const Options& options = {});
 

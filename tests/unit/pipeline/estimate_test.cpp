@@ -46,6 +46,36 @@ TEST(Estimate, KnowsThatWholeSegmentsForbidSizes) {
   EXPECT_TRUE(cut.notes.empty());
 }
 
+TEST(Estimate, CountsLayers) {
+  Input input =
+      testing::segments_between({{0, 0}, {100, 0}, {100, 40}, {0, 40}, {0, -2}, {100, -2}},
+                                {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}, {4, 5}, {5, 1}});
+  input.segments[0].name = "line";
+  input.seeds.push_back({{50, 20}, "1", "body", {}, 0, 0});
+  input.seeds.push_back({{50, -1}, "2", "film", {}, 1, 0});
+  Options options;
+  options.split_interfaces = Angle::degrees(90);
+  options.box_method = true;
+  options.sizes = {{"line", 2, true}};
+  const double without = triangles_expected(input, options);
+  options.layers = {{"line", "body", 0.02, 1.3, 0}, {"line", "film", 0.4, 1, 3}};
+  const double expected = triangles_expected(input, options);
+  const auto made =
+      static_cast<double>(testing::must_mesh(input, options).report.quality.triangles);
+  EXPECT_LT(without, made / 2);
+  EXPECT_LT(expected, made * 1.35);
+  EXPECT_GT(expected, made / 1.35);
+}
+
+TEST(Estimate, RefusesLayersOfNoLine) {
+  Options options;
+  options.layers = {{"gate", "", 0.1, 1, 1}};
+  const Result<Prepared> square = prepare(testing::input_of({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
+  const Result<Estimate> refused = estimate(square.value(), options);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::bad_option);
+}
+
 TEST(Estimate, OfDisksIsRightUpToAFactorOfTen) {
   const Input input = testing::checker(3, 30, 7);
   for (const Method method : {Method::nonobtuse, Method::almond}) {

@@ -247,7 +247,9 @@ int dry_run(const MeshCommand& command, const Input& input, const Options& optio
     if (const auto onto = read_triangles(*source, log); !onto) return fail(log, onto.error());
   }
   log_notes(log, not_yet_told(prepared->report.notes, input.warnings));
-  const Result<Estimate> all = estimate(*prepared, options);
+  Options with_layers = options;
+  with_layers.layers.insert(with_layers.layers.begin(), input.layers.begin(), input.layers.end());
+  const Result<Estimate> all = estimate(*prepared, with_layers);
   if (!all) return fail(log, all.error());
   log_notes(log, all->notes);
   if (!command.files.reports().empty())
