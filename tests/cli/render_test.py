@@ -50,6 +50,13 @@ class Render(Case):
             lowest = re.search('<path clip-path[^>]* fill="#440154"[^>]* d="([^"]*)"', (self.dir / 'n.svg').read_text())
             self.assertEqual(lowest[1].count('M'), undoped, mesh)
 
+    def test_expressions_of_arrays(self):
+        self.run_cover('mesh', SAMPLES / 'nmos.tif', '-o', 'n.vtm', '-q')
+        self.run_cover('render', 'n.vtm', '-o', 'n.svg', '--color', 'asinh(Net/1e10)', '--title', 't')
+        ends = [float(text) for text in re.findall(r'>(-?[0-9.]+)</text>', (self.dir / 'n.svg').read_text())]
+        self.assertTrue(20 < max(ends) < 30, ends)
+        self.assertIn('as an expression: ', self.run_cover('render', 'n.vtm', '-o', 'n.svg', '--color', 'asinh(Nit)', code=2)[1])
+
     def test_arrays_of_our_own(self):
         self.run_cover('mesh', SAMPLES / 'fibre_cell.json', '-o', 'p.vtu', '-q')
         self.run_cover('mesh', SAMPLES / 'fibre_cell.json', '-o', 'p.pvtu', '--parts', '3', '-q')

@@ -135,7 +135,8 @@ void add_options(CLI::App& app, Asked& asked) {
       ->type_name("EXT")
       ->capture_default_str();
   app.add_option("--color", asked.options.color,
-                 "Colour by this array of triangles or points, say max_angle")
+                 "Colour by this array of triangles or points, say max_angle, or by an expression "
+                 "of arrays as --size-of has them, say \"asinh(Net/1e17)\"")
       ->type_name("ARRAY");
   app.add_option("--range", asked.range,
                  "Values at both ends of the colours: LOW,HIGH (default: found)")

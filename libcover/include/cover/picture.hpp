@@ -39,7 +39,9 @@ struct PictureMesh {
 struct PictureOptions {
   int width = 1200;   ///< pixels, >= 200, from 400 on with a key; the height follows from the shape
   std::string title;  ///< first line, empty: none
-  std::string color;  ///< array shown by colour; empty: the regions
+  /// Shown by colour: an array, or an expression of arrays as Options::size_of has them; empty: the
+  /// regions.
+  std::string color;
   std::optional<std::array<double, 2>> range;  ///< values at both ends of the colours; none: found
   std::optional<Window> window;                ///< part of the mesh shown; none: all of it
   int worst = 3;                               ///< so many of the largest angles are marked

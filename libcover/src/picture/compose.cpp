@@ -24,6 +24,7 @@
 #include "picture/parts/legend.hpp"
 #include "picture/parts/mesh_lines.hpp"
 #include "picture/parts/palette.hpp"
+#include "picture/parts/shown_values.hpp"
 #include "picture/parts/triangle_angles.hpp"
 
 namespace cover {
@@ -55,8 +56,7 @@ class Composer {
       : mesh_(mesh), soup_(mesh.mesh.soup), options_(options) {}
 
   Result<Drawing> run() {
-    if (Status status = check_picture(mesh_, options_.color); !status)
-      return std::move(status).error();
+    if (Status status = check_picture(mesh_); !status) return std::move(status).error();
     const Window window = options_.window ? *options_.window : window_of_all();
     if (!(window.low.x < window.high.x) || !(window.low.y < window.high.y)) {
       return bad_option("the window of the picture is empty");
@@ -245,50 +245,8 @@ class Composer {
     if (has_key()) draw_legend(legend_, drawing_);
   }
 
-  /// By triangle. Some formats hold regions and materials otherwise than in arrays, and many no
-  /// angles. Of values at points the mean of three corners.
-  [[nodiscard]] Result<std::vector<double>> values_to_show() const {
-    std::vector<std::string> names;
-    for (const CellArray& array : mesh_.mesh.arrays) {
-      if (array.name == options_.color) return array.values;
-      names.push_back(array.name);
-    }
-    for (const auto& [name, numbers] :
-         {std::pair("RegionId", &soup_.region), std::pair("material", &soup_.material)}) {
-      if (numbers->empty()) continue;
-      if (name == options_.color) return std::vector<double>(numbers->begin(), numbers->end());
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
-    }
-    for (std::size_t k = 0; k < mesh_.mesh.point_arrays.size(); ++k) {
-      const std::string& name = mesh_.mesh.point_arrays[k].name;
-      if (name == options_.color) return means_of_corners(k);
-      names.push_back(name);
-    }
-    for (const auto& [name, angles_of] :
-         {std::pair("max_angle", &largest_angles), std::pair("min_angle", &smallest_angles)}) {
-      if (name == options_.color) return angles_of(soup_);
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
-    }
-    return bad_option(
-        fmt::format("the mesh has no array '{}'; it has {}", options_.color, listed(names)));
-  }
-
-  /// Of the k-th array at points, as the region of each triangle has it.
-  [[nodiscard]] std::vector<double> means_of_corners(std::size_t k) const {
-    std::vector<double> means;
-    means.reserve(soup_.triangles.size());
-    for (std::size_t t = 0; t < soup_.triangles.size(); ++t) {
-      const auto id = static_cast<std::uint32_t>(region(t));
-      double sum = 0;
-      for (const std::uint32_t v : soup_.triangles[t])
-        sum += value_in(mesh_.mesh.point_arrays, mesh_.region_values, k, v, RegionId(id));
-      means.push_back(sum / 3);
-    }
-    return means;
-  }
-
   Status fill_values() {
-    const Result<std::vector<double>> values = values_to_show();
+    const Result<std::vector<double>> values = shown_values(mesh_, options_.color);
     if (!values) return values.error();
     double low = kInfinity, high = -low;
     for (const std::size_t t : visible_) {

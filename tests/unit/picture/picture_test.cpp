@@ -13,6 +13,7 @@
 #include "io/text/text.hpp"
 #include "picture/compose.hpp"
 #include "picture/parts/palette.hpp"
+#include "picture/parts/shown_values.hpp"
 #include "picture/raster.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -162,6 +163,27 @@ TEST(Picture, ValuesAtPointsAreThoseOfTheRegion) {
     EXPECT_EQ(at(image, plot.x0 + part * (plot.x1 - plot.x0), middle - 7),
               value_colour(part < 0.5 ? 1 : 0));
   }
+}
+
+TEST(Picture, ExpressionsOfArraysAreShown) {
+  PictureMesh mesh = two_squares();
+  mesh.mesh.point_arrays = {{"doping", {9, 9, 0, 0, 9, 9}}};
+  mesh.region_values = {{{1, RegionId(2), 0}, {4, RegionId(2), 0}}};
+  PictureOptions options;
+  const auto values = [&](const char* text) { return shown_values(mesh, text).value(); };
+  EXPECT_EQ(values("-doping/3 + load"), (std::vector<double>{-3, -2, 2, 3}));
+  EXPECT_EQ(values("doping - RegionId"), (std::vector<double>{8, 8, -2, -2}));
+  EXPECT_EQ(values("x*0 + material"), (std::vector<double>{7, 7, 3, 3}));
+  EXPECT_EQ(values("load"), (std::vector<double>{0, 1, 2, 3}));
+  options.color = "abs(doping)";
+  EXPECT_EQ(count(svg_text(mesh, options).value(), ">abs(doping)<"), 1U);
+  options.color = "abs(dopin)";
+  const std::string unknown = svg_text(mesh, options).error().message;
+  EXPECT_TRUE(unknown.starts_with("the mesh has no array 'abs(dopin)'; it has load, "));
+  EXPECT_NE(unknown.find("; as an expression: "), std::string::npos);
+  mesh.mesh.point_arrays[0].values.pop_back();
+  options.color = "abs(doping)";
+  EXPECT_EQ(svg_text(mesh, options).error().code, ErrorCode::id_out_of_range);
 }
 
 TEST(Picture, ManyRegionsAreListedByMaterial) {

@@ -61,9 +61,9 @@ Status check_places(const MeshFile& mesh) {
 
 }  // namespace
 
-Status check_picture(const PictureMesh& mesh, const std::string& color) {
+Status check_picture(const PictureMesh& mesh) {
   const TriangleSoup& soup = mesh.mesh.soup;
-  const std::size_t points = soup.points.size(), triangles = soup.triangles.size();
+  const std::size_t triangles = soup.triangles.size();
   if (Status status = check_indices(mesh); !status) return status;
   if (Status status = check_places(mesh.mesh); !status) return status;
   Status status = check_size("the array of regions", soup.region.size(), triangles, "triangles");
@@ -72,16 +72,6 @@ Status check_picture(const PictureMesh& mesh, const std::string& color) {
   if (status)
     status =
         check_size("the array of middle nodes", mesh.mesh.middles.size(), triangles, "triangles");
-  for (const CellArray& array : mesh.mesh.arrays) {
-    if (!status || array.name != color || array.values.size() == triangles) continue;
-    status = out_of_range(fmt::format("the array '{}' has {} values for {} triangles", array.name,
-                                      array.values.size(), triangles));
-  }
-  for (const PlaneField::Array& array : mesh.mesh.point_arrays) {
-    if (!status || array.name != color || array.values.size() == points) continue;
-    status = out_of_range(fmt::format("the array '{}' has {} values for {} points", array.name,
-                                      array.values.size(), points));
-  }
   return status;
 }
 
