@@ -61,9 +61,13 @@ class Drawing {
   bool put_corner(Point p, std::vector<InputLine>& lines) {
     const double reach = kOnSide * extent();
     bool is_there = false;
-    for (InputPolygon& body : bodies)
-      is_there = put_between(body.rings[0], body.rings[0].size(), p, reach) || is_there;
-    for (InputLine& line : lines) put_between(line.points, line.points.size() - 1, p, reach);
+    for (InputPolygon& body : bodies) {
+      std::vector<std::uint32_t> none;
+      std::vector<std::uint32_t>& circles = body.circles.empty() ? none : body.circles[0];
+      is_there = put_between(body.rings[0], circles, body.rings[0].size(), p, reach) || is_there;
+    }
+    for (InputLine& line : lines)
+      put_between(line.points, line.circles, line.points.size() - 1, p, reach);
     return is_there;
   }
 
@@ -116,8 +120,9 @@ class Drawing {
 
  private:
   /// Puts p behind the point that the nearest of so many sides begins at, unless it is a point
-  /// already. False if none is as near as that.
-  static bool put_between(std::vector<Point>& points, std::size_t sides, Point p, double reach) {
+  /// already. False if none is as near as that. A chord with such a corner is one of no circle.
+  static bool put_between(std::vector<Point>& points, std::vector<std::uint32_t>& circles,
+                          std::size_t sides, Point p, double reach) {
     std::size_t nearest = 0;
     double least = kInfinity;
     for (std::size_t i = 0; i < sides; ++i) {
@@ -129,8 +134,12 @@ class Drawing {
       }
     }
     if (!(least <= reach)) return false;
-    if (std::find(points.begin(), points.end(), p) == points.end())
-      points.insert(points.begin() + static_cast<std::ptrdiff_t>(nearest) + 1, p);
+    if (std::find(points.begin(), points.end(), p) != points.end()) return true;
+    const auto behind = static_cast<std::ptrdiff_t>(nearest) + 1;
+    points.insert(points.begin() + behind, p);
+    if (circles.empty()) return true;
+    circles[nearest] = 0;
+    circles.insert(circles.begin() + behind, 0);
     return true;
   }
 

@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numbers>
 #include <string>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -62,8 +66,9 @@ TEST(ReadSde, CirclesAreArcsOfChordsAsOptionsSay) {
   ASSERT_EQ(input.polygons.size(), 3U);
   EXPECT_TRUE(input.polygons[0].circles.empty());
   EXPECT_EQ(input.polygons[1].rings[0].size(), 36U);
-  EXPECT_EQ(input.polygons[1].circles, (std::vector{std::vector<std::uint32_t>(36, 1)}));
-  EXPECT_EQ(input.polygons[2].circles, (std::vector{std::vector<std::uint32_t>(36, 2)}));
+  using Circles = std::vector<std::vector<std::uint32_t>>;
+  EXPECT_EQ(input.polygons[1].circles, Circles{std::vector<std::uint32_t>(36, 1)});
+  EXPECT_EQ(input.polygons[2].circles, Circles{std::vector<std::uint32_t>(36, 2)});
   EXPECT_EQ(input.circles, (std::vector<ArcCircle>{{{1, 1}, 0.5}, {{3, 3}, 0.5}}));
   ASSERT_EQ(input.lines.size(), 1U);
   EXPECT_EQ(input.lines[0].points.size(), 37U);
@@ -75,6 +80,25 @@ TEST(ReadSde, CirclesAreArcsOfChordsAsOptionsSay) {
   options.chord_error = 1e-15;
   EXPECT_NE(testing::must_refuse(parse_sde(text, "a.cmd", options)).find("chords"),
             std::string::npos);
+}
+
+TEST(ReadSde, AChordWithACornerIsOneOfNoCircle) {
+  constexpr double kStep = std::numbers::pi / 36;
+  const Point middle{1 + 0.25 * (1 + std::cos(kStep)), 1 + 0.25 * std::sin(kStep)};
+  const std::string text = fmt::format(R"(
+(define wire (sdegeo:create-circle (position 1 1 0) 0.5 "Cu" "R.Wire"))
+(sdegeo:define-2d-contact wire "pin")
+(sdegeo:insert-vertex (position {:.17g} {:.17g} 0)))",
+                                       middle.x, middle.y);
+  const Input input = testing::must_read(parse_sde(text, "a.cmd"));
+  EXPECT_TRUE(input.changes.empty());
+  ASSERT_EQ(input.polygons.size(), 1U);
+  const std::vector<std::uint32_t>& circles = input.polygons[0].circles[0];
+  EXPECT_EQ(input.polygons[0].rings[0].size(), 73U);
+  ASSERT_EQ(circles.size(), 73U);
+  EXPECT_EQ(std::count(circles.begin(), circles.end(), 0U), 2);
+  ASSERT_EQ(input.lines.size(), 1U);
+  EXPECT_EQ(input.lines[0].points.size(), input.lines[0].circles.size());
 }
 
 TEST(ReadSde, BooleansSayWhoWins) {
