@@ -313,7 +313,7 @@ Result<PlaneField> read_plane_field(const std::string& path) {
     if (!input) return input.error();
     return input->field ? *input->field : PlaneField();
   }
-  if (!is_data_set(extension))
+  if (!is_data_set(extension) && extension != ".vtm")  // of which read_data_set() says more
     return Error{
         ErrorCode::unsupported_format,
         fmt::format("{}: a field of sizes is read from .csv, .vtu, .vtp, .vti and .vtk; {}", path,
