@@ -35,7 +35,7 @@ constexpr std::string_view kWantsGeoJson =
     "'ogr2ogr -f GeoJSON OUT.geojson FILE' makes a file of it that can be read";
 
 constexpr std::string_view kOfMeshes =
-    "it is a mesh that is drawn, checked and converted alone; "
+    "a .vtm and a .vtkhdf are drawn, checked and converted, but not meshed again; "
     "'cover convert FILE -o FILE.msh' makes a file that can be read, with names and contacts";
 
 constexpr std::array kOtherFormats{
