@@ -17,6 +17,7 @@
 #include "commands/check/named_groups.hpp"
 #include "commands/check/named_lines.hpp"
 #include "commands/check/rounded_points.hpp"
+#include "commands/check/told_names.hpp"
 
 namespace cover::app {
 

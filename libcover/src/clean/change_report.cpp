@@ -42,16 +42,6 @@ constexpr std::array<Headline, 4> kHeadlines{{{Change::Kind::merged, "merged"},
                                               {Change::Kind::welded, "welded"},
                                               {Change::Kind::split, "split"}}};
 
-/// Whether an attribute is the same of two features, each its number plus one; 0: none.
-bool same_value(const Attribute& attribute, std::uint32_t p, std::uint32_t q) {
-  const auto is_none = [&](std::uint32_t feature) {
-    return feature == 0 || std::isnan(attribute.values[feature - 1]) ||
-           (attribute.is_text && attribute.values[feature - 1] == 0);
-  };
-  if (is_none(p) || is_none(q)) return is_none(p) && is_none(q);
-  return attribute.values[p - 1] == attribute.values[q - 1];
-}
-
 /// The network's points, those that are a corner of a polygon marked.
 std::vector<bool> corners_of_polygons(const Network& network) {
   std::vector<Point> corners;
@@ -248,7 +238,7 @@ void report_merged_values(const Input& input, const Painting& painting, std::vec
     if (one.region != other.region) return true;
     return one.feature != other.feature &&
            std::any_of(input.attributes.begin(), input.attributes.end(), [&](const Attribute& a) {
-             return !same_value(a, one.feature, other.feature);
+             return comparable_value(a, one.feature) != comparable_value(a, other.feature);
            });
   };
   std::map<std::uint32_t, std::uint32_t> lost;  // the polygon that counts, by one that does not

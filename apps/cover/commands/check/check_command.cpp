@@ -35,6 +35,7 @@
 #include "commands/check/named_lines.hpp"
 #include "commands/check/own_run.hpp"
 #include "commands/check/rounded_points.hpp"
+#include "commands/check/told_names.hpp"
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
 #include "files/file_check.hpp"
@@ -189,8 +190,7 @@ int print_regions(const std::vector<WrongRegion>& wrong) {
 /// Whether regions and points are called as the input calls them.
 int print_names(const ToldNames& names) {
   fmt::print("{}", wrong_points_text(names.points));
-  return names.points.empty() ? print_regions(names.regions)
-                              : first_failure(exit_unmet, print_regions(names.regions));
+  return first_failure(names.points.empty() ? exit_ok : exit_unmet, print_regions(names.regions));
 }
 
 /// Whether lines that the input names have their edges in the mesh.

@@ -8,14 +8,10 @@
 #include <string>
 #include <vector>
 
-#include <cover/cover_mesh.hpp>
 #include <cover/ids.hpp>
 #include <cover/point.hpp>
-#include <cover/read_origin.hpp>
 #include <cover/regions.hpp>
 #include <cover/triangle_soup.hpp>
-
-#include "files/mesh_file.hpp"
 
 namespace cover::app {
 
@@ -47,28 +43,5 @@ std::vector<WrongRegion> check_named_regions(const RegionTable& table,
                                              std::span<const std::int64_t> groups,
                                              const std::map<std::int64_t, std::string>& names,
                                              const TriangleSoup& mesh);
-
-/// A point of the input that has another name in the mesh.
-struct WrongPoint {
-  std::string name;
-  std::string there;  ///< empty: none
-  Point at;
-};
-
-/// What is called otherwise in the mesh.
-struct ToldNames {
-  std::vector<WrongRegion> regions;    ///< in the order of the regions
-  std::vector<WrongPoint> points;      ///< in the order of the input
-  std::vector<std::string> unchecked;  ///< what cannot be compared
-};
-
-/// Compares names of regions with materials, and of points, where a mesh tells them that has
-/// numbers of regions. Names that the input has nowhere may be those of a format, so regions, or
-/// points, are compared only if all are names of the input's.
-///
-/// `told` by RegionId - 1 of the mesh, or empty; `regions` as Verification::triangle_regions.
-/// Cost: O(n log n)
-ToldNames check_told_names(const Prepared& input, std::span<const RegionId> regions,
-                           std::span<const RegionNames> told, const MeshTriangles& mesh);
 
 }  // namespace cover::app

@@ -34,16 +34,18 @@ std::vector<std::uint32_t> ranks_of(const std::vector<InputPolygon>& polygons, O
   return rank;
 }
 
+std::uint64_t comparable_value(const Attribute& attribute, std::uint32_t feature) {
+  const double none = attribute.is_text ? 0 : std::numeric_limits<double>::quiet_NaN();
+  const double value = feature > 0 ? attribute.values[feature - 1] : none;
+  return std::bit_cast<std::uint64_t>(std::isnan(value) ? none : value + 0.0);  // -0 is 0
+}
+
 namespace {
 
-/// What the file keeps of a polygon, to be compared: none is the same as no feature.
 std::vector<std::uint64_t> kept_values(const Input& input, const InputPolygon& polygon) {
   std::vector<std::uint64_t> out;
-  for (const Attribute& attribute : input.attributes) {
-    const double none = attribute.is_text ? 0 : std::numeric_limits<double>::quiet_NaN();
-    const double value = polygon.feature > 0 ? attribute.values[polygon.feature - 1] : none;
-    out.push_back(std::bit_cast<std::uint64_t>(std::isnan(value) ? none : value + 0.0));
-  }
+  for (const Attribute& attribute : input.attributes)
+    out.push_back(comparable_value(attribute, polygon.feature));
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include <cover/attribute.hpp>
 #include <cover/input.hpp>
 #include <cover/options.hpp>
 #include <cover/result.hpp>
@@ -19,6 +20,10 @@ namespace cover {
 /// The place of every polygon in the order of painting; the highest wins: by priority, among equals
 /// the last, or with Overlap::first the first.
 std::vector<std::uint32_t> ranks_of(const std::vector<InputPolygon>& polygons, Overlap overlap);
+
+/// What a file keeps of a feature (its number plus one; 0: none): the same number for the same
+/// value, and for none.
+std::uint64_t comparable_value(const Attribute& attribute, std::uint32_t feature);
 
 /// What lies beside an edge, seen from its smaller to its larger index: a polygon, or kNone for
 /// the void.
